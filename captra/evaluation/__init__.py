@@ -1,0 +1,1 @@
+"""Whole sequences tracked and scored against their truth."""

@@ -1,0 +1,38 @@
+"""Joint states read off the parts' poses (METHOD, "Evaluation")."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from captra.categories import Category, Joint, JointKind
+from captra.fitting import angle_about_axis
+from captra.geometry import Pose
+
+
+@dataclass(frozen=True)
+class JointValue:
+    """State of one joint."""
+
+    name: str
+    """As in the category."""
+    kind: JointKind
+    """`revolute` or `prismatic`."""
+    value: float
+    """Radians about the joint's axis, or metres along it; see `joint_value`."""
+
+
+def joint_value(joint: Joint, pose: Pose) -> float:
+    """Revolute: the child's rotation about the axis against its parent. Prismatic: the child's offset along the axis in the parent's frame.
+
+    A prismatic value contains the constant offset between the two box centres at rest, which a pose alone cannot tell.
+    """
+    parent = pose.rotation[joint.parent]
+    axis = np.array(joint.axis)
+    if joint.kind == "revolute":
+        return angle_about_axis(parent.T @ pose.rotation[joint.child], axis)
+    return float(axis @ parent.T @ (pose.translation[joint.child] - pose.translation[joint.parent]))
+
+
+def joint_values(pose: Pose, category: Category) -> tuple[JointValue, ...]:
+    """All joints of an object, in the category's order."""
+    return tuple(JointValue(joint.name, joint.kind, joint_value(joint, pose)) for joint in category.joints)

@@ -1,0 +1,1 @@
+"""PyTorch: the networks and how they are trained; the service imports none of it."""

@@ -1,0 +1,48 @@
+"""The networks in PyTorch behind the tracker's protocol: for evaluation while training, and to compare exports with."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import torch
+from jaxtyping import Float32
+
+from captra.categories import Category
+from captra.learn.coordinate_net import CoordinateNet
+from captra.learn.pointnet2 import TorchNeighborhoods
+from captra.learn.rotation_net import RotationNet
+from captra.sampling import InputSampling, Neighborhoods, Profile
+
+
+@dataclass(frozen=True)
+class TorchNetworks:
+    """Satisfies `captra.tracker.Networks`."""
+
+    category: Category
+    """What the networks were trained on."""
+    profile: Profile
+    """Shapes of the inputs."""
+    coordinate_net: CoordinateNet
+    """In evaluation mode."""
+    rotation_net: RotationNet
+    """In evaluation mode."""
+    input_sampling: InputSampling = InputSampling()
+    """How the points were drawn in training."""
+
+    def coordinates(
+        self, points_canonical: Float32[np.ndarray, "points 3"], neighborhoods: Neighborhoods
+    ) -> tuple[Float32[np.ndarray, "classes points"], Float32[np.ndarray, "parts points 3"]]:
+        """Class probabilities and normalized coordinates, from the root's canonical cloud."""
+        with torch.inference_mode():
+            logits, coordinates = self.coordinate_net(
+                torch.from_numpy(points_canonical)[None], TorchNeighborhoods.stack([neighborhoods])
+            )
+            return torch.softmax(logits[0], dim=0).numpy(), coordinates[0].contiguous().numpy()
+
+    def rotations(
+        self, points_canonical: Float32[np.ndarray, "parts points 3"], neighborhoods: Sequence[Neighborhoods]
+    ) -> Float32[np.ndarray, "parts points width"]:
+        """Raw residual rotations; part j from cloud j."""
+        with torch.inference_mode():
+            raw = self.rotation_net(torch.from_numpy(points_canonical)[None], TorchNeighborhoods.stack(list(neighborhoods)))
+            return raw[0].numpy()  # type: ignore[no-any-return]

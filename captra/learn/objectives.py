@@ -1,0 +1,38 @@
+"""What each network minimizes: the paper's losses with its weights (METHOD, "Training")."""
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from captra.categories import Category
+from captra.learn import losses
+from captra.learn.coordinate_net import CoordinateNet
+from captra.learn.rotation_net import RotationNet
+from captra.learn.samples import Batch
+
+Terms = dict[str, Float[Tensor, ""]]
+
+
+def coordinate_objective(network: CoordinateNet, batch: Batch, category: Category) -> tuple[Float[Tensor, ""], Terms]:
+    """Total loss of CoordinateNet and its terms by name."""
+    logits, coordinates = network(batch.points[:, category.root], batch.root_neighborhoods)
+    logits, coordinates = logits.float(), coordinates.float()
+    mask = losses.part_masks(batch.labels, category.num_parts)
+    scale, translation, corners = losses.pose_losses(coordinates, batch, mask, category)
+    terms = {"segmentation": losses.segmentation_loss(logits, batch.labels)}
+    if category.symmetric:
+        terms["coordinates"] = 5 * losses.symmetric_coordinate_loss(coordinates, batch.coordinates, mask)
+        terms["distances"] = 5 * losses.pairwise_distance_loss(coordinates, batch.coordinates, mask)
+    else:
+        terms["coordinates"] = 10 * losses.coordinate_loss(coordinates, batch.coordinates, mask)
+    terms |= {"scale": 5 * scale, "translation": 5 * translation, "corners": 10 * corners}
+    return torch.stack(list(terms.values())).sum(), terms
+
+
+def rotation_objective(network: RotationNet, batch: Batch, category: Category) -> tuple[Float[Tensor, ""], Terms]:
+    """Total loss of RotationNet and its terms by name."""
+    raw = network(batch.points, batch.part_neighborhoods).float()
+    mask = losses.part_masks(batch.labels, category.num_parts)
+    rotation, corners = losses.rotation_losses(raw, batch, mask, category)
+    terms = {"rotation": 10 * rotation, "corners": corners}
+    return torch.stack(list(terms.values())).sum(), terms

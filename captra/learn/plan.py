@@ -1,0 +1,60 @@
+"""What a training run is to do, stage by stage."""
+
+from dataclasses import dataclass
+
+from captra.sampling import PAPER, REALTIME, InputSampling, Profile
+
+SMALL = Profile("small", 1024, (256, 64), ((8, 16, 32), (16, 32)))
+"""Groups cut to a quarter: what most samples are trained at, since weights depend on neither points nor group sizes."""
+
+PAPER_LIGHT = Profile("paper-light", 4096, (512, 128), ((16, 32, 64), (32, 64)))
+"""The density of `paper` at half its groups."""
+
+
+@dataclass(frozen=True)
+class Stage:
+    """A stretch of training on one mix of densities."""
+
+    until: float
+    """Share of the plan's samples after which the stage ends."""
+    profiles: tuple[Profile, ...]
+    """One is drawn for each batch."""
+
+
+@dataclass(frozen=True)
+class Plan:
+    """One category's run."""
+
+    samples: int = 60_000
+    """Samples that each network sees before the run ends."""
+    batch_size: int = 12
+    """Samples a step (METHOD, "Training")."""
+    learning_rate: float = 1e-3
+    """Of Adam at the start."""
+    halvings: float = 5.0
+    """How often the rate has halved at the end, evenly."""
+    weight_decay: float = 1e-4
+    """Of Adam."""
+    averaging: float = 0.998
+    """Decay of the moving average of the weights, a step; the average is what is exported."""
+    head_start: float = 0.12
+    """Share of the samples for which CoordinateNet trains alone; RotationNet then starts from its backbone."""
+    density: InputSampling = InputSampling(surroundings_weight=0.4, margin=0.1)
+    """How clouds are sampled, in training and by the tracker."""
+    stages: tuple[Stage, ...] = (
+        Stage(until=0.7, profiles=(SMALL,)),
+        Stage(until=0.9, profiles=(SMALL, REALTIME)),
+        Stage(until=1.0, profiles=(REALTIME, REALTIME, PAPER_LIGHT, PAPER)),
+    )
+    """Small groups first, the mix of what is served last."""
+    seed: int = 1
+    """Of weights, views and perturbations."""
+
+    def stage_at(self, samples: int) -> Stage:
+        """The stage that the sample belongs to."""
+        progress = samples / self.samples
+        return next((stage for stage in self.stages if progress < stage.until), self.stages[-1])
+
+    def learning_rate_at(self, samples: int) -> float:
+        """Halved evenly over the run."""
+        return float(self.learning_rate * 0.5 ** (self.halvings * min(1.0, samples / self.samples)))

@@ -1,0 +1,235 @@
+"""PointNet++ with multi-scale grouping, the backbone of both networks (METHOD, "Networks").
+
+Activations are rows of channels: every layer is one matrix product over all points of a batch, groups and neighbours are
+row indices. The first linear layer of a level runs before grouping, since W [f, x − c] = W_f f + W_x x − W_x c; likewise
+interpolation, a linear map too, follows the layer it feeds. Both are exact, in training as well: normalization comes after.
+"""
+
+from typing import NamedTuple, Self
+
+import numpy as np
+import torch
+from jaxtyping import Float, Int
+from torch import Tensor, nn
+
+from captra.learn.fused import grouped_difference, norm_relu, norm_relu_max
+from captra.sampling import Neighborhoods
+
+XYZ = 3
+LEVEL1_CHANNELS = ((32, 32, 64), (64, 64, 128), (64, 96, 128))
+LEVEL2_CHANNELS = ((128, 128, 256), (128, 196, 256))
+GLOBAL_CHANNELS = (256, 512, 1024)
+FEATURES = 128
+"""Channels of the backbone's output."""
+
+
+class TorchNeighborhoods(NamedTuple):
+    """`captra.sampling.Neighborhoods` of a batch of clouds."""
+
+    groups1: tuple[Int[Tensor, "batch M1 k"], ...]
+    """Per radius, the points around each of the first M1 points."""
+    groups2: tuple[Int[Tensor, "batch M2 k"], ...]
+    """Per radius, the first-level centroids around each of the first M2."""
+    nearest1: Int[Tensor, "batch N 3"]
+    """For each point, its three nearest first-level centroids."""
+    nearest2: Int[Tensor, "batch M1 3"]
+    """For each first-level centroid, its three nearest second-level ones."""
+
+    @classmethod
+    def stack(cls, neighborhoods: list[Neighborhoods]) -> Self:
+        """Batch the neighbourhoods of several clouds."""
+
+        def batch(arrays: list[np.ndarray]) -> Tensor:
+            return torch.from_numpy(np.stack(arrays))
+
+        return cls(
+            groups1=tuple(batch(list(groups)) for groups in zip(*(n.groups1 for n in neighborhoods), strict=True)),
+            groups2=tuple(batch(list(groups)) for groups in zip(*(n.groups2 for n in neighborhoods), strict=True)),
+            nearest1=batch([n.nearest1 for n in neighborhoods]),
+            nearest2=batch([n.nearest2 for n in neighborhoods]),
+        )
+
+
+def flat_rows(index: Int[Tensor, "batch *rest"], rows_per_cloud: int) -> Int[Tensor, " rows"]:
+    """Indices into the flattened batch from indices into each cloud."""
+    offset = torch.arange(index.shape[0], dtype=torch.int64).mul_(rows_per_cloud)
+    return (index.to(torch.int64) + offset.view(-1, *[1] * (index.dim() - 1))).reshape(-1)
+
+
+class NormalizedLinear(nn.Module):
+    """Matrix product, batch norm and ReLU; the product needs no bias, since the norm subtracts the mean."""
+
+    def __init__(self, inputs: int, outputs: int) -> None:
+        super().__init__()
+        self.weight = nn.Parameter(torch.empty(outputs, inputs))
+        self.norm = nn.BatchNorm1d(outputs)
+        nn.init.kaiming_uniform_(self.weight, a=5**0.5)
+
+    def forward(self, rows: Float[Tensor, "rows inputs"]) -> Float[Tensor, "rows outputs"]:
+        """Product, norm, ReLU."""
+        return norm_relu(nn.functional.linear(rows, self.weight), self.norm)
+
+
+def _normalized_max(
+    product: Float[Tensor, "rows channels"], norm: nn.BatchNorm1d, rest: list[NormalizedLinear], size: int
+) -> Float[Tensor, "groups outputs"]:
+    """The rest of an MLP after its first product, and the maximum of each `size` rows."""
+    hidden = norm_relu(product, norm)
+    for layer in rest[:-1]:
+        hidden = layer(hidden)
+    return norm_relu_max(nn.functional.linear(hidden, rest[-1].weight), rest[-1].norm, size)
+
+
+def _mlp(inputs: int, channels: tuple[int, ...]) -> nn.ModuleList:
+    return nn.ModuleList(NormalizedLinear(i, o) for i, o in zip((inputs, *channels[:-1]), channels, strict=True))
+
+
+def _exact(xyz: Float[Tensor, "*rows 3"], weight: Float[Tensor, "outputs 3"]) -> Float[Tensor, "flat_rows outputs"]:
+    """Product with coordinates in float32: in bfloat16 their rounding would be a tenth of the smallest radius."""
+    with torch.autocast(xyz.device.type, enabled=False):
+        return nn.functional.linear(xyz.flatten(0, 1).float(), weight.float())
+
+
+class SetAbstraction(nn.Module):
+    """Groups around the first points, at several radii; a point-wise MLP, then the maximum of each group.
+
+    Grouped channels are [features, xyz − centroid]; with `positions`, [xyz, xyz − centroid].
+    """
+
+    def __init__(self, features: int, channels: tuple[tuple[int, ...], ...], *, positions: bool = False) -> None:
+        super().__init__()
+        self.features = features
+        self.positions = positions
+        self.scales = nn.ModuleList(_mlp(features + XYZ * (1 + positions), widths) for widths in channels)
+        self.outputs = sum(widths[-1] for widths in channels)
+
+    def forward(
+        self,
+        xyz: Float[Tensor, "batch points 3"],
+        features: Float[Tensor, "rows channels"] | None,
+        groups: tuple[Int[Tensor, "batch centroids k"], ...],
+    ) -> Float[Tensor, "centroid_rows outputs"]:
+        """Features of each centroid."""
+        parts = []
+        for scale, group in zip(self.scales, groups, strict=True):
+            first, *rest = scale  # type: ignore[misc]
+            hidden = self._grouped(first.weight, xyz, features, group)
+            parts.append(_normalized_max(hidden, first.norm, rest, group.shape[2]))
+        return torch.cat(parts, dim=1)
+
+    def _grouped(
+        self,
+        weight: Float[Tensor, "outputs inputs"],
+        xyz: Float[Tensor, "batch points 3"],
+        features: Float[Tensor, "rows channels"] | None,
+        group: Int[Tensor, "batch centroids k"],
+    ) -> Float[Tensor, "grouped_rows outputs"]:
+        """The first layer's product: computed for points and centroids, then gathered and subtracted."""
+        batch = xyz.shape[0]
+        relative = weight[:, -XYZ:]
+        at_points = _exact(xyz, relative + weight[:, :XYZ] if self.positions else relative)
+        if features is not None:
+            at_points = at_points + nn.functional.linear(features, weight[:, : self.features])
+        at_centroids = _exact(xyz[:, : group.shape[1]], relative)
+        return grouped_difference(at_points.unflatten(0, (batch, -1)), at_centroids.unflatten(0, (batch, -1)), group)
+
+
+class GlobalAbstraction(nn.Module):
+    """A point-wise MLP on [xyz, features], then the maximum over each cloud."""
+
+    def __init__(self, features: int, channels: tuple[int, ...]) -> None:
+        super().__init__()
+        self.layers = _mlp(XYZ + features, channels)
+
+    def forward(
+        self, xyz: Float[Tensor, "batch points 3"], features: Float[Tensor, "rows channels"]
+    ) -> Float[Tensor, "batch outputs"]:
+        """One row a cloud."""
+        first, *rest = self.layers
+        product = _exact(xyz, first.weight[:, :XYZ]) + nn.functional.linear(features, first.weight[:, XYZ:])
+        return _normalized_max(product, first.norm, rest, xyz.shape[1])
+
+
+def interpolation_weights(
+    points: Float[Tensor, "batch points 3"], references: Float[Tensor, "batch refs 3"], rows: Int[Tensor, " rows3"]
+) -> Float[Tensor, "rows 3"]:
+    """1 / (squared distance + 1e-8) to the three nearest, normalized."""
+    nearest = references.flatten(0, 1).index_select(0, rows).view(*points.shape[:2], 3, XYZ)
+    weights = 1 / ((points.unsqueeze(2) - nearest).square().sum(dim=-1) + 1e-8)
+    return (weights / weights.sum(dim=-1, keepdim=True)).flatten(0, 1)
+
+
+def interpolate(
+    features: Float[Tensor, "refs channels"], rows: Int[Tensor, " rows3"], weights: Float[Tensor, "rows 3"]
+) -> Float[Tensor, "rows channels"]:
+    """Weighted mean of the features of the three nearest."""
+    gathered = features.index_select(0, rows).view(-1, 3, features.shape[1])
+    return (gathered * weights.to(features.dtype).unsqueeze(-1)).sum(dim=1)
+
+
+class FeaturePropagation(nn.Module):
+    """A point-wise MLP on [skip features, interpolated features]."""
+
+    def __init__(self, skip: int, coarse: int, channels: tuple[int, ...]) -> None:
+        super().__init__()
+        self.skip = skip
+        self.layers = _mlp(skip + coarse, channels)
+
+    def forward(
+        self, skip: Float[Tensor, "rows outputs"], coarse: Float[Tensor, "rows outputs"]
+    ) -> Float[Tensor, "rows outputs"]:
+        """From the first layer's products with both inputs, each at the finer level."""
+        first, *rest = self.layers
+        hidden = norm_relu(skip + coarse, first.norm)
+        for layer in rest:
+            hidden = layer(hidden)
+        return hidden
+
+    @property
+    def skip_weight(self) -> Tensor:
+        """The first layer's weight for the skip features."""
+        return self.layers[0].weight[:, : self.skip]  # type: ignore[index, return-value, union-attr]
+
+    @property
+    def coarse_weight(self) -> Tensor:
+        """The first layer's weight for the interpolated features."""
+        return self.layers[0].weight[:, self.skip :]  # type: ignore[index, return-value, union-attr]
+
+
+class Backbone(nn.Module):
+    """From a canonical cloud to features of each point.
+
+    With `positions` the first level groups [xyz, xyz − centroid] (CoordinateNet), otherwise [xyz − centroid] (RotationNet).
+    """
+
+    def __init__(self, *, positions: bool) -> None:
+        super().__init__()
+        self.level1 = SetAbstraction(0, LEVEL1_CHANNELS, positions=positions)
+        self.level2 = SetAbstraction(self.level1.outputs, LEVEL2_CHANNELS)
+        self.level3 = GlobalAbstraction(self.level2.outputs, GLOBAL_CHANNELS)
+        self.up3 = FeaturePropagation(self.level2.outputs, GLOBAL_CHANNELS[-1], (256, 256))
+        self.up2 = FeaturePropagation(self.level1.outputs, 256, (256, 128))
+        self.up1 = FeaturePropagation(XYZ, 128, (128, 128))
+        self.last = NormalizedLinear(128, FEATURES)
+
+    def forward(
+        self, points: Float[Tensor, "batch points 3"], neighborhoods: TorchNeighborhoods
+    ) -> Float[Tensor, "rows 128"]:
+        """Features of each point, clouds one after another; `points` in farthest-point order, canonical units."""
+        linear = nn.functional.linear
+        groups1, groups2, nearest1, nearest2 = neighborhoods
+        xyz1, xyz2 = points[:, : groups1[0].shape[1]], points[:, : groups2[0].shape[1]]
+        features1 = self.level1(points, None, groups1)
+        features2 = self.level2(xyz1, features1, groups2)
+        overall = self.level3(xyz2, features2)
+
+        rows2, rows1 = flat_rows(nearest2, xyz2.shape[1]), flat_rows(nearest1, xyz1.shape[1])
+        weights2 = interpolation_weights(xyz1, xyz2, rows2)
+        weights1 = interpolation_weights(points, xyz1, rows1)
+        spread = linear(overall, self.up3.coarse_weight).repeat_interleave(xyz2.shape[1], dim=0)
+        up2 = self.up3(linear(features2, self.up3.skip_weight), spread)
+        spread = interpolate(linear(up2, self.up2.coarse_weight), rows2, weights2)
+        up1 = self.up2(linear(features1, self.up2.skip_weight), spread)
+        spread = interpolate(linear(up1, self.up1.coarse_weight), rows1, weights1)
+        up0 = self.up1(_exact(points, self.up1.skip_weight), spread)
+        return self.last(up0)  # type: ignore[no-any-return]

@@ -1,0 +1,188 @@
+"""Training of both networks of one category, on batches they share; stops and resumes at any step."""
+
+import json
+import time
+from collections.abc import Callable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Protocol
+
+import numpy as np
+import torch
+from torch import nn
+from torch.optim.swa_utils import AveragedModel, get_ema_multi_avg_fn
+
+from captra.categories import Category
+from captra.data.scenes import View
+from captra.learn.coordinate_net import CoordinateNet
+from captra.learn.objectives import Terms, coordinate_objective, rotation_objective
+from captra.learn.perturbation import PerturbationMix
+from captra.learn.plan import Plan
+from captra.learn.pointnet2 import copy_backbone
+from captra.learn.rotation_net import RotationNet
+from captra.learn.samples import Batch, SampleMaker, stack
+from captra.sampling import NoPointsError
+
+STATE_FILE = "state.pt"
+LOG_FILE = "log.jsonl"
+PREFETCH = 2
+
+
+class Views(Protocol):
+    """A collection of rendered views that may grow while training runs."""
+
+    def __len__(self) -> int: ...
+
+    def __getitem__(self, index: int) -> View: ...
+
+    def refresh(self) -> None:
+        """Look for views that were added."""
+
+
+class Learner:
+    """One network with its optimizer and the moving average of its weights."""
+
+    def __init__(self, network: nn.Module, plan: Plan) -> None:
+        self.network = network
+        self.average = AveragedModel(network, multi_avg_fn=get_ema_multi_avg_fn(plan.averaging), use_buffers=True)
+        self.optimizer = torch.optim.Adam(network.parameters(), lr=plan.learning_rate, weight_decay=plan.weight_decay)
+
+    def step(self, loss: torch.Tensor, learning_rate: float) -> None:
+        """One step of Adam down `loss`."""
+        for group in self.optimizer.param_groups:
+            group["lr"] = learning_rate
+        self.optimizer.zero_grad(set_to_none=True)
+        loss.backward()  # type: ignore[no-untyped-call]
+        nn.utils.clip_grad_norm_(self.network.parameters(), 10.0)
+        self.optimizer.step()
+        self.average.update_parameters(self.network)
+
+    def restart_from(self, network: nn.Module) -> None:
+        """Take over another network's weights, average included."""
+        self.network.load_state_dict(network.state_dict())
+        self.average.module.load_state_dict(network.state_dict())
+
+    def state_dict(self) -> dict[str, Any]:
+        """All that resuming needs."""
+        return {
+            "network": self.network.state_dict(),
+            "average": self.average.state_dict(),
+            "optimizer": self.optimizer.state_dict(),
+        }
+
+    def load_state_dict(self, state: dict[str, Any]) -> None:
+        """The inverse of `state_dict`."""
+        self.network.load_state_dict(state["network"])
+        self.average.load_state_dict(state["average"])
+        self.optimizer.load_state_dict(state["optimizer"])
+
+
+@dataclass
+class Progress:
+    """How far a run is."""
+
+    samples: int = 0
+    """Samples seen so far."""
+    seconds: float = 0.0
+    """Time spent so far, over all sittings."""
+    rotation_started: bool = False
+    """Whether RotationNet has taken over CoordinateNet's backbone."""
+
+
+class Trainer:
+    """One category's run in a folder that holds its state and its log."""
+
+    def __init__(self, category: Category, views: Views, plan: Plan, folder: Path) -> None:
+        torch.manual_seed(plan.seed)
+        self.category, self.views, self.plan, self.folder = category, views, plan, folder
+        self.coordinate = Learner(CoordinateNet(category.num_parts, category.num_classes), plan)
+        self.rotation = Learner(RotationNet(category.num_parts, category.symmetric), plan)
+        self.progress = Progress()
+        self._make_sample = SampleMaker(category, plan.density, PerturbationMix.for_category(category))
+        folder.mkdir(parents=True, exist_ok=True)
+        if (folder / STATE_FILE).exists():
+            self._resume()
+
+    def run(self, report: Callable[[Progress, dict[str, float]], None], save_every_s: float = 120.0) -> None:
+        """Train until the plan's samples are used up; interrupting saves and loses nothing."""
+        try:
+            saved = time.monotonic()
+            for batch in self._batches():
+                started = time.monotonic()
+                terms = self._step(batch)
+                self.progress.samples += len(batch.labels)
+                self.progress.seconds += time.monotonic() - started
+                report(self.progress, terms)
+                self._log(terms)
+                if time.monotonic() - saved > save_every_s:
+                    self.save()
+                    saved = time.monotonic()
+        finally:
+            self.save()
+
+    def save(self) -> None:
+        """Write the state, atomically."""
+        state = {
+            "category": self.category.name,
+            "progress": vars(self.progress),
+            "coordinate": self.coordinate.state_dict(),
+            "rotation": self.rotation.state_dict(),
+        }
+        temporary = self.folder / (STATE_FILE + ".part")
+        torch.save(state, temporary)
+        temporary.replace(self.folder / STATE_FILE)
+
+    def _resume(self) -> None:
+        state = torch.load(self.folder / STATE_FILE, weights_only=True)
+        self.progress = Progress(**state["progress"])
+        self.coordinate.load_state_dict(state["coordinate"])
+        self.rotation.load_state_dict(state["rotation"])
+
+    def _step(self, batch: Batch) -> dict[str, float]:
+        rate = self.plan.learning_rate_at(self.progress.samples)
+        with torch.autocast("cpu", torch.bfloat16):
+            loss, terms = coordinate_objective(self.coordinate.network, batch, self.category)  # type: ignore[arg-type]
+        self.coordinate.step(loss, rate)
+        if self.progress.samples >= self.plan.head_start * self.plan.samples:
+            terms |= self._rotation_step(batch, rate)
+        return {name: float(term.detach()) for name, term in terms.items()}
+
+    def _rotation_step(self, batch: Batch, rate: float) -> Terms:
+        if not self.progress.rotation_started:
+            copy_backbone(self.coordinate.average.module.backbone, self.rotation.network.backbone)  # type: ignore[arg-type, union-attr]
+            self.rotation.restart_from(self.rotation.network)
+            self.progress.rotation_started = True
+        with torch.autocast("cpu", torch.bfloat16):
+            loss, terms = rotation_objective(self.rotation.network, batch, self.category)  # type: ignore[arg-type]
+        self.rotation.step(loss, rate)
+        return {f"rotation/{name}": term for name, term in terms.items()}
+
+    def _batches(self) -> Iterator[Batch]:
+        """Batches from where the run stands, prepared a little ahead."""
+        with ThreadPoolExecutor(1) as pool:
+            pending: list[Future[Batch]] = []
+            start = self.progress.samples
+            while start < self.plan.samples or pending:
+                while start < self.plan.samples and len(pending) < PREFETCH:
+                    pending.append(pool.submit(self._prepare, start))
+                    start += self.plan.batch_size
+                yield pending.pop(0).result()
+
+    def _prepare(self, start: int) -> Batch:
+        rng = np.random.default_rng([self.plan.seed, start])
+        profiles = self.plan.stage_at(start).profiles
+        profile = profiles[int(rng.integers(len(profiles)))]
+        self.views.refresh()
+        samples = []
+        while len(samples) < self.plan.batch_size:
+            view = self.views[int(rng.integers(len(self.views)))]
+            try:
+                samples.append(self._make_sample(view, profile, rng))
+            except NoPointsError:
+                continue
+        return stack(samples, self.category.root)
+
+    def _log(self, terms: dict[str, float]) -> None:
+        with (self.folder / LOG_FILE).open("a") as log:
+            log.write(json.dumps({"samples": self.progress.samples, **terms}) + "\n")

@@ -1,0 +1,197 @@
+"""From a cloud to the points and index lists that the networks read; every kernel is compiled and releases the GIL."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+import numpy as np
+from jaxtyping import Float, Float32, Int32, Int64
+
+from captra.compiled import compiled
+from captra.farthest import farthest_order
+from captra.geometry import Pose
+
+RADII = ((0.05, 0.1, 0.2), (0.2, 0.4))
+"""Radii of the groups of both set-abstraction levels, in canonical units (box diagonal = 1)."""
+
+CROP_RADIUS_PER_SCALE = 0.6
+MINIMUM_CROP_RADIUS_M = 0.05
+MINIMUM_CROP_POINTS = 10
+CROP_GROWTH = 1.1
+CROP_ATTEMPTS = 10
+
+
+@dataclass(frozen=True)
+class Profile:
+    """A sampling budget; the weights are the same for all of them."""
+
+    name: str
+    """As clients write it."""
+    points: int
+    """N: points given to the networks."""
+    centroids: tuple[int, int]
+    """Centroids of the two set-abstraction levels."""
+    groups: tuple[tuple[int, int, int], tuple[int, int]]
+    """Largest number of points in each group, per level and radius."""
+
+
+PAPER = Profile("paper", 4096, (512, 128), ((32, 64, 128), (64, 128)))
+REALTIME = Profile("realtime", 1024, (256, 64), ((16, 32, 64), (32, 64)))
+PROFILES: Mapping[str, Profile] = MappingProxyType({profile.name: profile for profile in (PAPER, REALTIME)})
+
+
+@dataclass(frozen=True)
+class InputSampling:
+    """How densely a network was trained to see the object and what surrounds it."""
+
+    surroundings_weight: float = 1.0
+    """Distances outside the last box count this much in farthest point sampling; 1 is the paper's uniform sampling."""
+    margin: float = 0.1
+    """What is added to the box on each side, in canonical units."""
+
+
+@dataclass(frozen=True)
+class Neighborhoods:
+    """Who is near whom in a canonical cloud in farthest-point order: centroids are prefixes, so they need no index."""
+
+    groups1: tuple[Int32[np.ndarray, "M1 k"], ...]
+    """Per radius, the points around each of the first M1 points."""
+    groups2: tuple[Int32[np.ndarray, "M2 k"], ...]
+    """Per radius, the first-level centroids around each of the first M2."""
+    nearest1: Int32[np.ndarray, "N 3"]
+    """For each point, its three nearest first-level centroids."""
+    nearest2: Int32[np.ndarray, "M1 3"]
+    """For each first-level centroid, its three nearest second-level ones."""
+
+
+class NoPointsError(ValueError):
+    """The cloud has no point near the object."""
+
+
+def crop_ball(
+    points: Float32[np.ndarray, "all 3"], pose: Pose, root: int
+) -> Int64[np.ndarray, " inside"]:
+    """Indices of the points around the last centre (METHOD: 0.6 × scale, at least 5 cm, grown while nearly empty).
+
+    Raises:
+        NoPointsError: when even the largest ball holds fewer than ten points.
+    """
+    difference = points - pose.translation[root].astype(np.float32)
+    squared = np.einsum("ni,ni->n", difference, difference)
+    radius = max(MINIMUM_CROP_RADIUS_M, CROP_RADIUS_PER_SCALE * float(pose.scale[root]))
+    for _ in range(CROP_ATTEMPTS + 1):
+        inside = squared < radius * radius
+        if np.count_nonzero(inside) >= MINIMUM_CROP_POINTS:
+            return np.flatnonzero(inside)
+        radius *= CROP_GROWTH
+    raise NoPointsError(
+        f"fewer than {MINIMUM_CROP_POINTS} points within {radius / CROP_GROWTH:.2f} m of the last pose: "
+        "check the cloud's frame and units (metres), or give a new pose"
+    )
+
+
+def sampling_weights(
+    points_canonical: Float32[np.ndarray, "points 3"], aspect: Float[np.ndarray, "3"], sampling: InputSampling
+) -> Float32[np.ndarray, " points"]:
+    """Weight of each point's distances: 1 within the last box and its margin, less outside."""
+    inside = (np.abs(points_canonical) <= np.asarray(aspect, np.float32) / 2 + np.float32(sampling.margin)).all(axis=-1)
+    return np.where(inside, np.float32(1), np.float32(sampling.surroundings_weight))
+
+
+def farthest_points(
+    points: Float32[np.ndarray, "points 3"], count: int, weights: Float32[np.ndarray, " points"] | None = None
+) -> Int64[np.ndarray, " count"]:
+    """Indices of `count` points in farthest-point order, starting at index 0; a shorter cloud is repeated.
+
+    `weights` scale each point's distance to what is chosen already: smaller weights thin a region out.
+    """
+    if weights is None:
+        weights = np.ones(len(points), np.float32)
+    order = farthest_order(points, weights, min(count, len(points)))
+    return np.resize(order, count)
+
+
+@compiled()
+def _ball_queries(
+    points: Float32[np.ndarray, "points 3"], centroids: int, radii: Float32[np.ndarray, " radii"], sizes: Int64[np.ndarray, " radii"]
+) -> Int32[np.ndarray, "centroids total"]:
+    groups = np.zeros((centroids, sizes.sum()), np.int32)
+    starts = np.cumsum(sizes) - sizes
+    squared_radii = radii * radii
+    widest = squared_radii[-1]
+    found = np.zeros(len(radii), np.int64)
+    for c in range(centroids):
+        cx, cy, cz = points[c, 0], points[c, 1], points[c, 2]
+        found[:] = 0
+        wanting = len(radii)
+        for i in range(len(points)):
+            dx, dy, dz = points[i, 0] - cx, points[i, 1] - cy, points[i, 2] - cz
+            squared = dx * dx + dy * dy + dz * dz
+            if squared >= widest:
+                continue
+            for r in range(len(radii)):
+                if squared < squared_radii[r] and found[r] < sizes[r]:
+                    groups[c, starts[r] + found[r]] = i
+                    found[r] += 1
+                    if found[r] == sizes[r]:
+                        wanting -= 1
+            if wanting == 0:
+                break
+        for r in range(len(radii)):
+            if found[r] > 0:
+                groups[c, starts[r] + found[r] : starts[r] + sizes[r]] = groups[c, starts[r]]
+    return groups
+
+
+def ball_queries(
+    points: Float32[np.ndarray, "points 3"], centroids: int, radii: tuple[float, ...], sizes: tuple[int, ...]
+) -> tuple[Int32[np.ndarray, "centroids k"], ...]:
+    """Groups around the first `centroids` points, one array a radius (radii ascending).
+
+    A group holds the first points in index order whose squared distance is below the squared radius; what is missing is filled
+    with the first one found, and a group without any takes point 0 (METHOD, "Networks").
+    """
+    groups = _ball_queries(points, centroids, np.array(radii, np.float32), np.array(sizes, np.int64))
+    return tuple(np.ascontiguousarray(group) for group in np.split(groups, np.cumsum(sizes)[:-1], axis=1))
+
+
+@compiled()
+def three_nearest(points: Float32[np.ndarray, "points 3"], references: int) -> Int32[np.ndarray, "points 3"]:
+    """The three nearest of the first `references` points for each point, nearest first."""
+    nearest = np.zeros((len(points), 3), np.int32)
+    for i in range(len(points)):
+        first = second = third = np.float32(np.inf)
+        a = b = c = 0
+        for r in range(references):
+            dx, dy, dz = points[r, 0] - points[i, 0], points[r, 1] - points[i, 1], points[r, 2] - points[i, 2]
+            squared = dx * dx + dy * dy + dz * dz
+            if squared < third:
+                if squared < second:
+                    third, c = second, b
+                    if squared < first:
+                        second, b = first, a
+                        first, a = squared, r
+                    else:
+                        second, b = squared, r
+                else:
+                    third, c = squared, r
+        nearest[i, 0], nearest[i, 1], nearest[i, 2] = a, b, c
+    return nearest
+
+
+def build_neighborhoods(points_canonical: Float32[np.ndarray, "N 3"], profile: Profile) -> Neighborhoods:
+    """All index inputs of one network for one canonical cloud in farthest-point order."""
+    first, second = profile.centroids
+    centroids = points_canonical[:first]
+    return Neighborhoods(
+        groups1=ball_queries(points_canonical, first, RADII[0], profile.groups[0]),
+        groups2=ball_queries(centroids, second, RADII[1], profile.groups[1]),
+        nearest1=three_nearest(points_canonical, first),
+        nearest2=three_nearest(centroids, second),
+    )
+
+
+def warm_up() -> None:
+    """Compile or load every kernel, so that no frame waits for it."""
+    points = np.random.default_rng(0).random((128, 3), np.float32)
+    build_neighborhoods(points[farthest_points(points, 128)], Profile("warm-up", 128, (16, 4), ((2, 2, 2), (2, 2))))

@@ -1,0 +1,135 @@
+"""From the networks' answers to the pose of every part, with the numbers that tell how far to trust it."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from jaxtyping import Float, Float32, Float64, Int
+
+from captra import fitting
+from captra.categories import Category
+from captra.geometry import Pose, rotation_angle, rotation_from_6d, rotation_from_axis
+from captra.health import Evidence, PartEvidence
+
+FEWEST_POINTS = 4
+"""A part with fewer keeps its last pose (METHOD, "Step")."""
+
+INLIER_RESIDUAL = 0.05
+"""Canonical distance below which a point agrees with the fit."""
+
+
+@dataclass(frozen=True)
+class Prediction:
+    """What both networks said about N points."""
+
+    segmentation: Float32[np.ndarray, "classes points"]
+    """Class probabilities."""
+    coordinates: Float32[np.ndarray, "parts points 3"]
+    """Normalized coordinates of every point under every part's frame."""
+    labels: Int[np.ndarray, " points"]
+    """Most probable class."""
+    delta_rotations: Float64[np.ndarray, "parts points 3 3"]
+    """Residual rotation of every part, as each point sees it."""
+
+
+@dataclass(frozen=True)
+class PartFit:
+    """One part's new similarity and box."""
+
+    rotation: Float64[np.ndarray, "3 3"]
+    """R_camera_part."""
+    scale: float
+    """Metres."""
+    translation: Float64[np.ndarray, "3"]
+    """Metres."""
+    size: Float64[np.ndarray, "3"]
+    """Metres."""
+    evidence: PartEvidence
+    """How well it fits."""
+
+
+def per_point_rotations(
+    raw: Float32[np.ndarray, "parts points width"], category: Category
+) -> Float64[np.ndarray, "parts points 3 3"]:
+    """RotationNet's raw answers as matrices."""
+    return rotation_from_axis(raw) if category.symmetric else rotation_from_6d(raw)
+
+
+def residual_rotation(
+    rotations: Float64[np.ndarray, "points 3 3"], category: Category
+) -> Float64[np.ndarray, "3 3"]:
+    """The part's residual rotation: the mean over its points; identity for a part without points."""
+    if len(rotations) == 0:
+        return np.eye(3)
+    return fitting.mean_axis_rotation(rotations) if category.symmetric else fitting.mean_rotation(rotations)
+
+
+def solve(
+    points: Float32[np.ndarray, "points 3"], prediction: Prediction, last: Pose, category: Category
+) -> tuple[Pose, Evidence]:
+    """Rotations from RotationNet, then scale and translation in closed form, part by part."""
+    fits = []
+    for part in range(category.num_parts):
+        mask = prediction.labels == part
+        delta = residual_rotation(prediction.delta_rotations[part, mask], category)
+        fit = fit_part(points[mask], prediction.coordinates[part, mask], delta, last.part(part), category)
+        fits.append(fit)
+    pose = Pose(
+        rotation=np.stack([fit.rotation for fit in fits]),
+        translation=np.stack([fit.translation for fit in fits]),
+        scale=np.array([fit.scale for fit in fits]),
+        size=np.stack([fit.size for fit in fits]),
+    )
+    foreground = prediction.segmentation[: category.num_parts].sum(axis=0)
+    return pose, Evidence(tuple(fit.evidence for fit in fits), float(foreground.mean()))
+
+
+def hold_gauge(pose: Pose, last: Pose, category: Category) -> Pose:
+    """Turn symmetric parts about their own axis to where they were, so that they do not spin; others stay as they are."""
+    if not category.symmetric:
+        return pose
+    held = [fitting.closest_gauge(new, old) for new, old in zip(pose.rotation, last.rotation, strict=True)]
+    return replace(pose, rotation=np.stack(held))
+
+
+def fit_part(
+    points: Float32[np.ndarray, "points 3"],
+    coordinates: Float32[np.ndarray, "points 3"],
+    delta: Float64[np.ndarray, "3 3"],
+    last: Pose,
+    category: Category,
+) -> PartFit:
+    """Scale and translation of one part given its residual rotation; `last` holds that part alone.
+
+    A part with three or fewer points, or without a finite positive scale, keeps its last scale and translation.
+    """
+    rotation = last.rotation[0] @ delta
+    kept = PartFit(rotation, float(last.scale[0]), last.translation[0], last.size[0], PartEvidence.missing(len(points)))
+    if len(points) < FEWEST_POINTS:
+        return kept
+    aligned = np.asarray(coordinates, np.float64)
+    if category.symmetric:
+        aligned = aligned @ fitting.symmetric_alignment(aligned, points @ rotation).T
+    rotated = aligned @ rotation.T
+    scale, translation = fitting.scale_and_translation(rotated, points)
+    if not np.isfinite(scale) or scale <= 0:
+        return kept
+    size = scale * 2 * np.abs(coordinates).max(axis=0)
+    residuals = np.linalg.norm(scale * rotated + translation - points, axis=-1) / scale
+    full = fitting.umeyama(aligned, points)
+    evidence = PartEvidence(
+        points=len(points),
+        residual=float(np.sqrt(np.mean(residuals**2))),
+        inliers=float(np.mean(residuals < INLIER_RESIDUAL)),
+        disagreement_rad=_disagreement(full.rotation, rotation, category),
+        rotation_jump_rad=_disagreement(rotation, last.rotation[0], category),
+        translation_jump=float(np.linalg.norm(translation - last.translation[0]) / last.scale[0]),
+        scale_jump=float(abs(np.log(scale / last.scale[0]))),
+    )
+    return PartFit(rotation, scale, translation, size, evidence)
+
+
+def _disagreement(a: Float64[np.ndarray, "3 3"], b: Float64[np.ndarray, "3 3"], category: Category) -> float:
+    """Angle between two rotations, radians; between their y axes for symmetric objects."""
+    if category.symmetric:
+        return float(np.arctan2(np.linalg.norm(np.cross(a[:, 1], b[:, 1])), a[:, 1] @ b[:, 1]))
+    return float(rotation_angle(a.T @ b))

@@ -1,0 +1,162 @@
+"""One step of the method: the last pose and a new cloud in, the new pose of every part out (paper, Fig. "pipeline")."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from time import perf_counter
+from typing import Protocol
+
+import numpy as np
+from jaxtyping import Float, Float32, Int64
+
+from captra import sampling
+from captra.canonical import canonicalize
+from captra.categories import Category
+from captra.geometry import Pose
+from captra.health import Evidence, HealthMonitor, State
+from captra.joints import JointValue, joint_values
+from captra.sampling import InputSampling, Neighborhoods, Profile, build_neighborhoods
+from captra.solving import Prediction, hold_gauge, per_point_rotations, solve
+
+
+class Networks(Protocol):
+    """CoordinateNet and RotationNet of one category, in whatever framework."""
+
+    @property
+    def category(self) -> Category:
+        """What the networks were trained on."""
+
+    @property
+    def profile(self) -> Profile:
+        """Shapes of the inputs."""
+
+    @property
+    def input_sampling(self) -> InputSampling:
+        """How the points were drawn in training."""
+
+    def coordinates(
+        self, points_canonical: Float32[np.ndarray, "points 3"], neighborhoods: Neighborhoods
+    ) -> tuple[Float32[np.ndarray, "classes points"], Float32[np.ndarray, "parts points 3"]]:
+        """Class probabilities and normalized coordinates in [-0.5, 0.5] of every part, from the root's canonical cloud."""
+
+    def rotations(
+        self, points_canonical: Float32[np.ndarray, "parts points 3"], neighborhoods: Sequence[Neighborhoods]
+    ) -> Float32[np.ndarray, "parts points width"]:
+        """Raw residual rotations: width 6, or 3 for symmetric objects; part j from cloud j."""
+
+
+@dataclass(frozen=True)
+class StepTiming:
+    """Where the time of one step went, milliseconds."""
+
+    sample_ms: float
+    """Crop, farthest points, canonicalization, neighbourhoods."""
+    infer_ms: float
+    """Both networks."""
+    solve_ms: float
+    """Fits and health."""
+
+
+@dataclass(frozen=True)
+class TrackResult:
+    """What one frame told."""
+
+    pose: Pose
+    """Pose of every part, in the frame of the cloud."""
+    state: State
+    """Whether the track holds."""
+    confidence: float
+    """Probability in [0, 1] that this pose is within 5° and 5 cm."""
+    joints: tuple[JointValue, ...]
+    """Joint states in the order of the category's joints."""
+    evidence: Evidence
+    """What the confidence was computed from."""
+    timing: StepTiming
+    """Milliseconds per stage."""
+
+
+class Tracker:
+    """Follows one object; not thread-safe: one tracker belongs to one stream."""
+
+    def __init__(self, networks: Networks, pose: Pose, health: HealthMonitor | None = None) -> None:
+        self._networks = networks
+        self._category = networks.category
+        self._health = health or HealthMonitor()
+        self.reset(pose)
+
+    @property
+    def pose(self) -> Pose:
+        """The last pose."""
+        return self._pose
+
+    def reset(self, pose: Pose) -> None:
+        """Start again from `pose`.
+
+        Raises:
+            ValueError: when the pose has another number of parts than the category.
+        """
+        if pose.num_parts != self._category.num_parts:
+            raise ValueError(
+                f"{self._category.name} has {self._category.num_parts} parts ({', '.join(self._category.parts)}), "
+                f"but the pose has {pose.num_parts}"
+            )
+        self._pose = pose
+        self._health = self._health.restarted()
+
+    def step(self, cloud: Float[np.ndarray, "all 3"]) -> TrackResult:
+        """Find the object in `cloud`, given where it was.
+
+        Raises:
+            NoPointsError: the cloud has no point near the object; the tracker stays as it was.
+        """
+        last, started = self._pose, perf_counter()
+        networks = self._networks
+        cloud = np.asarray(cloud, np.float32)
+        points = cloud[choose_points(cloud, last, self._category, networks.profile.points, networks.input_sampling)]
+        points_canonical = canonicalize(points, last)
+        neighborhoods = [build_neighborhoods(part, networks.profile) for part in points_canonical]
+        sampled = perf_counter()
+        prediction = predict(networks, points_canonical, neighborhoods)
+        inferred = perf_counter()
+        pose, evidence = solve(points, prediction, last, self._category)
+        self._health = self._health.updated(evidence)
+        self._pose = hold_gauge(pose, last, self._category)
+        timing = StepTiming(*(1e3 * d for d in (sampled - started, inferred - sampled, perf_counter() - inferred)))
+        joints = joint_values(self._pose, self._category)
+        return TrackResult(self._pose, self._health.state, self._health.confidence, joints, evidence, timing)
+
+
+def choose_points(
+    cloud: Float32[np.ndarray, "all 3"], last: Pose, category: Category, count: int, density: InputSampling
+) -> Int64[np.ndarray, " count"]:
+    """Crop around the last pose where there are surroundings, then pick `count` points in farthest-point order.
+
+    Raises:
+        NoPointsError: the cloud has no point near the object.
+    """
+    if not category.background:
+        if len(cloud) < sampling.MINIMUM_CROP_POINTS:
+            raise sampling.NoPointsError(f"the cloud has only {len(cloud)} points: send the segmented object")
+        return sampling.farthest_points(cloud, count)
+    inside = sampling.crop_ball(cloud, last, category.root)
+    root = last.part(category.root)
+    aspect = (root.size / root.scale[:, None])[0]
+    weights = sampling.sampling_weights(canonicalize(cloud[inside], root)[0], aspect, density)
+    return inside[sampling.farthest_points(cloud[inside], count, weights)]
+
+
+def predict(
+    networks: Networks,
+    points_canonical: Float32[np.ndarray, "parts points 3"],
+    neighborhoods: Sequence[Neighborhoods],
+) -> Prediction:
+    """Run both networks on the canonical clouds."""
+    root = networks.category.root
+    segmentation, coordinates = networks.coordinates(points_canonical[root], neighborhoods[root])
+    raw_rotations = networks.rotations(points_canonical, neighborhoods)
+    return Prediction(
+        segmentation=segmentation,
+        coordinates=coordinates,
+        labels=segmentation.argmax(axis=0),
+        delta_rotations=per_point_rotations(raw_rotations, networks.category),
+    )
+
