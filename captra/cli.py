@@ -1,4 +1,4 @@
-"""The console script: collects the subcommands that each package registers in the entry-point group `captra.commands`."""
+"""The console script: collects the subcommands that packages register in the entry-point group `captra.commands`."""
 
 import re
 import sys

@@ -8,17 +8,13 @@ import numba
 Kernel = TypeVar("Kernel", bound=Callable[..., Any])
 
 
-def compiled(**options: bool) -> Callable[[Kernel], Kernel]:
+def compiled(function: Kernel) -> Kernel:
     """Compile a kernel with numba: it releases the GIL, and its machine code is kept for the next start.
 
     On a file system that cannot be written anywhere the kernel is compiled in memory instead, at warm-up.
     """
-
-    def compile_kernel(function: Kernel) -> Kernel:
-        try:
-            kernel = numba.njit(nogil=True, cache=True, **options)(function)
-        except RuntimeError:  # numba found no folder it may write its cache to
-            kernel = numba.njit(nogil=True, **options)(function)
-        return kernel  # type: ignore[no-any-return]
-
-    return compile_kernel
+    try:
+        kernel = numba.njit(nogil=True, cache=True)(function)
+    except RuntimeError:  # numba found no folder it may write its cache to
+        kernel = numba.njit(nogil=True)(function)
+    return kernel  # type: ignore[return-value]

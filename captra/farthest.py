@@ -12,7 +12,7 @@ _CELLS = 63
 _ROUNDING = np.float32(1 - 1e-5)
 
 
-@compiled()
+@compiled
 def _spread_bits(value: int) -> int:
     """Bits 0, 1, 2, … of a six-bit number moved to 0, 3, 6, …"""
     spread = 0
@@ -21,7 +21,7 @@ def _spread_bits(value: int) -> int:
     return spread
 
 
-@compiled()
+@compiled
 def _along_curve(points: Float32[np.ndarray, "points 3"]) -> Int64[np.ndarray, " points"]:
     """Order of the points along a Morton curve, so that neighbours in it are neighbours in space."""
     low = np.array([points[:, 0].min(), points[:, 1].min(), points[:, 2].min()])
@@ -36,7 +36,7 @@ def _along_curve(points: Float32[np.ndarray, "points 3"]) -> Int64[np.ndarray, "
     return np.argsort(codes, kind="mergesort")
 
 
-@compiled()
+@compiled
 def farthest_order(
     points: Float32[np.ndarray, "points 3"], weights: Float32[np.ndarray, " points"], count: int
 ) -> Int64[np.ndarray, " count"]:

@@ -78,7 +78,7 @@ def quat_xyzw_from_matrix(rotation: Float[Array, "*batch 3 3"]) -> Float64[Array
 def axis_angle(axis: Float[Array, "*batch 3"], angle: Float[Array, "*batch"] | float) -> Float64[Array, "*batch 3 3"]:
     """Rotation by `angle` radians about `axis`, which need not be of unit length (Rodrigues)."""
     axis = np.asarray(axis, np.float64)
-    half = np.asarray(angle, np.float64)[..., None] / 2
+    half = np.broadcast_to(np.asarray(angle, np.float64), axis.shape[:-1])[..., None] / 2
     unit = axis / np.linalg.norm(axis, axis=-1, keepdims=True)
     return matrix_from_quat_xyzw(np.concatenate([unit * np.sin(half), np.cos(half)], axis=-1))
 

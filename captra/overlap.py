@@ -11,7 +11,7 @@ _SHRINK = 1 - 1e-9
 _MOST_VERTICES = 16
 
 
-@compiled()
+@compiled
 def _faces_inside(
     corners: Float64[np.ndarray, "8 3"], faces: Float64[np.ndarray, "6 4"], half: Float64[np.ndarray, "3"], origin: Float64[np.ndarray, "3"]
 ) -> float:

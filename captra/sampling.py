@@ -111,7 +111,7 @@ def farthest_points(
     return np.resize(order, count)
 
 
-@compiled()
+@compiled
 def _ball_queries(
     points: Float32[np.ndarray, "points 3"], centroids: int, radii: Float32[np.ndarray, " radii"], sizes: Int64[np.ndarray, " radii"]
 ) -> Int32[np.ndarray, "centroids total"]:
@@ -155,7 +155,7 @@ def ball_queries(
     return tuple(np.ascontiguousarray(group) for group in np.split(groups, np.cumsum(sizes)[:-1], axis=1))
 
 
-@compiled()
+@compiled
 def three_nearest(points: Float32[np.ndarray, "points 3"], references: int) -> Int32[np.ndarray, "points 3"]:
     """The three nearest of the first `references` points for each point, nearest first."""
     nearest = np.zeros((len(points), 3), np.int32)

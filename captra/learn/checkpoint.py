@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from pickle import UnpicklingError
-from typing import Any
+from typing import Any, cast
 
 import torch
 from torch import Tensor, nn
@@ -15,8 +15,10 @@ from captra.learn.pointnet2 import GLOBAL_CHANNELS, LEVEL1_CHANNELS, LEVEL2_CHAN
 from captra.learn.rotation_net import HEAD_CHANNELS, RotationNet
 
 AUTHORS_PREFIX = "net."
-SKIP_COPIES = 2
-"""How often xyz stands in the last skip connection of the authors' CoordinateNet."""
+DOUBLED_SKIP = "net.backbone.fp1.mlp_convs.0"
+"""The last skip connection of the authors' CoordinateNet holds xyz twice."""
+
+ADVICE = "check that the two networks' files are not swapped and that the category is the one they were trained on"
 
 StateDict = Mapping[str, Tensor]
 
@@ -80,10 +82,12 @@ def _read(path: Path) -> dict[str, Any]:
     except FileNotFoundError:
         raise CheckpointError(f"{path} does not exist: give the path of a .pt file") from None
     except (UnpicklingError, RuntimeError, EOFError, ValueError) as error:
-        raise CheckpointError(f"{path} is no readable checkpoint ({error}): download or copy it again") from error
-    if not isinstance(content, dict) or not isinstance(content.get("model"), Mapping):
-        raise CheckpointError(f'{path} holds no "model": save it as {{"model": network.state_dict()}}')
-    return content
+        advice = "download or copy it again; if it holds other objects than tensors, save its state dict alone"
+        raise CheckpointError(f"{path} is no readable checkpoint ({error}): {advice}") from error
+    model = content.get("model") if isinstance(content, dict) else None
+    if not isinstance(model, Mapping) or not all(isinstance(value, Tensor) for value in model.values()):
+        raise CheckpointError(f'{path} holds no state dict "model": save it as {{"model": network.state_dict()}}')
+    return cast("dict[str, Any]", content)
 
 
 def _load(network: nn.Module, path: Path, layers: list[_Layer], wanted: str) -> None:
@@ -91,7 +95,9 @@ def _load(network: nn.Module, path: Path, layers: list[_Layer], wanted: str) -> 
     if any(key.startswith(AUTHORS_PREFIX) for key in state):
         state = from_authors(state, network, layers, f"{path} is not {wanted}")
     else:
-        _check(state, {key: tuple(value.shape) for key, value in network.state_dict().items()}, f"{path} is not {wanted}")
+        _check(
+            state, {key: tuple(value.shape) for key, value in network.state_dict().items()}, f"{path} is not {wanted}"
+        )
     network.load_state_dict(dict(state))
     network.eval()
 
@@ -101,8 +107,9 @@ def from_authors(
 ) -> dict[str, Tensor]:
     """The authors' entries in our layout.
 
-    Convolutions become matrices. A bias before batch norm only shifts the mean, so it is taken off the running mean. The last
-    skip connection of their CoordinateNet holds xyz twice: both blocks of columns act on the same input and are added.
+    Convolutions become matrices. A bias before batch norm only shifts the mean, so it is taken off the running mean.
+    The last skip connection of their CoordinateNet holds xyz twice: both blocks of columns act on the same input and
+    are added.
 
     Raises:
         CheckpointError: entries are missing, unknown or of another shape.
@@ -114,16 +121,19 @@ def from_authors(
     _check(state, expected, complaint)
     converted: dict[str, Tensor] = {}
     for layer in layers:
-        converted |= _convert(layer, state, ours[f"{layer.ours}.weight"].shape[1])
+        converted |= _convert(layer, state)
     return converted
 
 
 def _expected(layer: _Layer, ours: StateDict) -> dict[str, tuple[int, ...]]:
     outputs, inputs = ours[f"{layer.ours}.weight"].shape
-    if _doubled_skip(layer, inputs):
+    if _doubled_skip(layer):
         inputs += XYZ
     ones = (1, 1) if "conv_blocks" in layer.linear or ".sa3." in layer.linear else (1,)
-    shapes: dict[str, tuple[int, ...]] = {f"{layer.linear}.weight": (outputs, inputs, *ones), f"{layer.linear}.bias": (outputs,)}
+    shapes: dict[str, tuple[int, ...]] = {
+        f"{layer.linear}.weight": (outputs, inputs, *ones),
+        f"{layer.linear}.bias": (outputs,),
+    }
     if layer.norm:
         shapes |= {f"{layer.norm}.{name}": (outputs,) for name in ("weight", "bias")}
     if layer.batch_norm:
@@ -132,9 +142,9 @@ def _expected(layer: _Layer, ours: StateDict) -> dict[str, tuple[int, ...]]:
     return shapes
 
 
-def _convert(layer: _Layer, state: StateDict, inputs: int) -> dict[str, Tensor]:
+def _convert(layer: _Layer, state: StateDict) -> dict[str, Tensor]:
     weight, bias = state[f"{layer.linear}.weight"].flatten(1), state[f"{layer.linear}.bias"]
-    if _doubled_skip(layer, inputs):
+    if _doubled_skip(layer):
         weight = torch.cat([weight[:, :XYZ] + weight[:, XYZ : 2 * XYZ], weight[:, 2 * XYZ :]], dim=1)
     converted = {f"{layer.ours}.weight": weight}
     if layer.batch_norm:
@@ -148,8 +158,8 @@ def _convert(layer: _Layer, state: StateDict, inputs: int) -> dict[str, Tensor]:
     return converted
 
 
-def _doubled_skip(layer: _Layer, inputs: int) -> bool:
-    return layer.linear == "net.backbone.fp1.mlp_convs.0"
+def _doubled_skip(layer: _Layer) -> bool:
+    return layer.linear == DOUBLED_SKIP
 
 
 def _check(state: StateDict, expected: Mapping[str, tuple[int, ...]], complaint: str) -> None:
@@ -161,10 +171,11 @@ def _check(state: StateDict, expected: Mapping[str, tuple[int, ...]], complaint:
     shapes = {key: tuple(value.shape) for key, value in state.items()}
     if wrong := [key for key, shape in expected.items() if shapes.get(key, shape) != shape]:
         first = wrong[0]
-        problems.append(f"{len(wrong)} entries have another shape, first {first!r}: {shapes[first]} instead of {expected[first]}")
+        problems.append(
+            f"{len(wrong)} entries have another shape, first {first!r}: {shapes[first]} instead of {expected[first]}"
+        )
     if problems:
-        advice = "check that CoordinateNet's and RotationNet's files are not swapped and that the category is the one they were trained on"
-        raise CheckpointError(f"{complaint}: {'; '.join(problems)}; {advice}")
+        raise CheckpointError(f"{complaint}: {'; '.join(problems)}; {ADVICE}")
 
 
 def _backbone_layers(theirs: str) -> Iterator[_Layer]:
@@ -173,11 +184,20 @@ def _backbone_layers(theirs: str) -> Iterator[_Layer]:
             for i in range(len(widths)):
                 source = f"{theirs}.{name}"
                 yield _Layer(
-                    f"backbone.{level}.scales.{scale}.{i}", f"{source}.conv_blocks.{scale}.{i}", f"{source}.bn_blocks.{scale}.{i}"
+                    f"backbone.{level}.scales.{scale}.{i}",
+                    f"{source}.conv_blocks.{scale}.{i}",
+                    f"{source}.bn_blocks.{scale}.{i}",
                 )
-    for level, name, count in (("level3", "sa3", len(GLOBAL_CHANNELS)), ("up3", "fp3", 2), ("up2", "fp2", 2), ("up1", "fp1", 2)):
+    for level, name, count in (
+        ("level3", "sa3", len(GLOBAL_CHANNELS)),
+        ("up3", "fp3", 2),
+        ("up2", "fp2", 2),
+        ("up1", "fp1", 2),
+    ):
         for i in range(count):
-            yield _Layer(f"backbone.{level}.layers.{i}", f"{theirs}.{name}.mlp_convs.{i}", f"{theirs}.{name}.mlp_bns.{i}")
+            yield _Layer(
+                f"backbone.{level}.layers.{i}", f"{theirs}.{name}.mlp_convs.{i}", f"{theirs}.{name}.mlp_bns.{i}"
+            )
     yield _Layer("backbone.last", f"{theirs}.conv1", f"{theirs}.bn1")
 
 
@@ -193,5 +213,7 @@ def _rotation_layers(num_parts: int) -> Iterator[_Layer]:
     for part in range(num_parts):
         source = f"net.regress_net.pose_pred.rtvec_head.{part}.model"
         for i in range(len(HEAD_CHANNELS)):
-            yield _Layer(f"heads.{part}.layers.{i}", f"{source}.{3 * i}", f"{source}.{3 * i + 1}", f"heads.{part}.norms.{i}")
+            yield _Layer(
+                f"heads.{part}.layers.{i}", f"{source}.{3 * i}", f"{source}.{3 * i + 1}", f"heads.{part}.norms.{i}"
+            )
         yield _Layer(f"heads.{part}.output", f"{source}.{3 * len(HEAD_CHANNELS)}")

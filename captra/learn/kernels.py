@@ -1,7 +1,7 @@
-"""Passes over rows of bfloat16 channels for training on a CPU: what lies between two matrix products, each in one sweep of memory.
+"""Sweeps over rows of bfloat16 channels, for training on a CPU: what lies between two matrix products.
 
-NumPy has no bfloat16, so rows come as their bits (uint16); arithmetic and sums are float32. `segments` are equally many rows
-each with coefficients of their own: one for batch norm, one a cloud for the norm of RotationNet's heads.
+NumPy has no bfloat16, so rows come as their bits (uint16); arithmetic is float32. Segments are equally many rows each,
+with coefficients of their own: one segment for batch norm, one a cloud for the norm of RotationNet's heads.
 """
 
 import numpy as np
@@ -13,20 +13,20 @@ _ROWS_PER_SUM = 256
 """Rows added up in one float32 sum before it is carried over to float64."""
 
 
-@compiled()
+@compiled
 def _widen(bits: UInt16[np.ndarray, " n"], out: UInt32[np.ndarray, " n"]) -> None:
     for i in range(len(bits)):
         out[i] = np.uint32(bits[i]) << np.uint32(16)
 
 
-@compiled()
+@compiled
 def _narrow(values: UInt32[np.ndarray, " n"], out: UInt16[np.ndarray, " n"]) -> None:
     for i in range(len(values)):
         rounding = np.uint32(0x7FFF) + ((values[i] >> np.uint32(16)) & np.uint32(1))
         out[i] = np.uint16((values[i] + rounding) >> np.uint32(16))
 
 
-@compiled()
+@compiled
 def moments(x: UInt16[np.ndarray, "rows channels"], segments: int) -> tuple[np.ndarray, np.ndarray]:
     """Σ x and Σ x² of each channel over the rows of each segment, float64 (segments, channels)."""
     rows, channels = x.shape
@@ -49,14 +49,14 @@ def moments(x: UInt16[np.ndarray, "rows channels"], segments: int) -> tuple[np.n
     return total, total_squared
 
 
-@compiled()
+@compiled
 def scale_relu(
     x: UInt16[np.ndarray, "rows channels"],
     scale: Float32[np.ndarray, "segments channels"],
     shift: Float32[np.ndarray, "segments channels"],
     out: UInt16[np.ndarray, "rows channels"],
 ) -> None:
-    """max(scale · x + shift, 0)."""
+    """Compute max(scale · x + shift, 0)."""
     rows, channels = x.shape
     length = rows // len(scale)
     bits = np.empty(channels, np.uint32)
@@ -70,12 +70,14 @@ def scale_relu(
             _narrow(bits, out[r])
 
 
-@compiled()
+@compiled
 def relu_gradient_moments(
-    gradient: UInt16[np.ndarray, "rows channels"], x: UInt16[np.ndarray, "rows channels"],
-    scale: Float32[np.ndarray, "segments channels"], shift: Float32[np.ndarray, "segments channels"],
+    gradient: UInt16[np.ndarray, "rows channels"],
+    x: UInt16[np.ndarray, "rows channels"],
+    scale: Float32[np.ndarray, "segments channels"],
+    shift: Float32[np.ndarray, "segments channels"],
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Σ g and Σ g x over each segment, where g is the gradient of what `scale_relu` let through; float64 (segments, channels)."""
+    """Σ g and Σ g x over each segment, float64, where g is the gradient of what `scale_relu` let through."""
     rows, channels = x.shape
     segments = len(scale)
     length = rows // segments
@@ -100,14 +102,17 @@ def relu_gradient_moments(
     return total, total_product
 
 
-@compiled()
+@compiled
 def relu_gradient(
-    gradient: UInt16[np.ndarray, "rows channels"], x: UInt16[np.ndarray, "rows channels"],
-    scale: Float32[np.ndarray, "segments channels"], shift: Float32[np.ndarray, "segments channels"],
-    slope: Float32[np.ndarray, "segments channels"], offset: Float32[np.ndarray, "segments channels"],
+    gradient: UInt16[np.ndarray, "rows channels"],
+    x: UInt16[np.ndarray, "rows channels"],
+    scale: Float32[np.ndarray, "segments channels"],
+    shift: Float32[np.ndarray, "segments channels"],
+    slope: Float32[np.ndarray, "segments channels"],
+    offset: Float32[np.ndarray, "segments channels"],
     out: UInt16[np.ndarray, "rows channels"],
 ) -> None:
-    """scale · g + slope · x + offset, where g is the gradient of what `scale_relu` let through."""
+    """Compute scale · g + slope · x + offset, where g is the gradient of what `scale_relu` let through."""
     rows, channels = x.shape
     length = rows // len(scale)
     x_bits, g_bits = np.empty(channels, np.uint32), np.empty(channels, np.uint32)
@@ -123,7 +128,7 @@ def relu_gradient(
             _narrow(g_bits, out[r])
 
 
-@compiled()
+@compiled
 def group_maximum(
     x: UInt16[np.ndarray, "rows channels"], size: int, sign: Float32[np.ndarray, " channels"]
 ) -> tuple[np.ndarray, np.ndarray]:
@@ -146,14 +151,16 @@ def group_maximum(
     return largest, where
 
 
-@compiled()
+@compiled
 def maximum_gradient(
-    gradient: Float32[np.ndarray, "groups channels"], where: Int32[np.ndarray, "groups channels"],
+    gradient: Float32[np.ndarray, "groups channels"],
+    where: Int32[np.ndarray, "groups channels"],
     x: UInt16[np.ndarray, "rows channels"],
-    slope: Float32[np.ndarray, " channels"], offset: Float32[np.ndarray, " channels"],
+    slope: Float32[np.ndarray, " channels"],
+    offset: Float32[np.ndarray, " channels"],
     out: UInt16[np.ndarray, "rows channels"],
 ) -> None:
-    """slope · x + offset, plus the group's gradient in the row that held its maximum."""
+    """Compute slope · x + offset, plus the group's gradient in the row that held its maximum."""
     groups, channels = gradient.shape
     size = len(x) // groups
     bits = np.empty(channels, np.uint32)
@@ -168,12 +175,14 @@ def maximum_gradient(
             _narrow(bits, out[group * size + j])
 
 
-@compiled()
+@compiled
 def grouped_difference(
-    points: Float32[np.ndarray, "batch points channels"], centroids: Float32[np.ndarray, "batch M channels"],
-    groups: Int32[np.ndarray, "batch M k"], out: UInt16[np.ndarray, "batch M k channels"],
+    points: Float32[np.ndarray, "batch points channels"],
+    centroids: Float32[np.ndarray, "batch M channels"],
+    groups: Int32[np.ndarray, "batch M k"],
+    out: UInt16[np.ndarray, "batch M k channels"],
 ) -> None:
-    """points[groups] − centroids."""
+    """Compute points[groups] − centroids."""
     batch, count, k = groups.shape
     channels = points.shape[2]
     bits = np.empty(channels, np.uint32)
@@ -188,10 +197,12 @@ def grouped_difference(
                 _narrow(bits, out[b, m, j])
 
 
-@compiled()
+@compiled
 def grouped_difference_gradient(
-    gradient: UInt16[np.ndarray, "batch M k channels"], groups: Int32[np.ndarray, "batch M k"],
-    points: Float32[np.ndarray, "batch points channels"], centroids: Float32[np.ndarray, "batch M channels"],
+    gradient: UInt16[np.ndarray, "batch M k channels"],
+    groups: Int32[np.ndarray, "batch M k"],
+    points: Float32[np.ndarray, "batch points channels"],
+    centroids: Float32[np.ndarray, "batch M channels"],
 ) -> None:
     """Add each row's gradient to its point and take it from its centroid; both outputs start at zero."""
     batch, count, k = groups.shape
@@ -207,3 +218,47 @@ def grouped_difference_gradient(
                 for c in range(channels):
                     point[c] += value[c]
                     centroid[c] -= value[c]
+
+
+@compiled
+def weighted_rows(
+    features: UInt16[np.ndarray, "batch refs channels"],
+    nearest: Int32[np.ndarray, "batch rows 3"],
+    weights: Float32[np.ndarray, "batch rows 3"],
+    out: UInt16[np.ndarray, "batch rows channels"],
+) -> None:
+    """Compute Σ weights · features[nearest]."""
+    batch, rows, _ = nearest.shape
+    channels = features.shape[2]
+    bits, sum_bits = np.empty(channels, np.uint32), np.empty(channels, np.uint32)
+    value, total = bits.view(np.float32), sum_bits.view(np.float32)
+    for b in range(batch):
+        for r in range(rows):
+            total[:] = 0
+            for j in range(3):
+                weight = weights[b, r, j]
+                _widen(features[b, nearest[b, r, j]], bits)
+                for c in range(channels):
+                    total[c] += weight * value[c]
+            _narrow(sum_bits, out[b, r])
+
+
+@compiled
+def weighted_rows_gradient(
+    gradient: UInt16[np.ndarray, "batch rows channels"],
+    nearest: Int32[np.ndarray, "batch rows 3"],
+    weights: Float32[np.ndarray, "batch rows 3"],
+    out: Float32[np.ndarray, "batch refs channels"],
+) -> None:
+    """Add each row's weighted gradient to its three sources; `out` starts at zero."""
+    batch, rows, channels = gradient.shape
+    bits = np.empty(channels, np.uint32)
+    value = bits.view(np.float32)
+    for b in range(batch):
+        for r in range(rows):
+            _widen(gradient[b, r], bits)
+            for j in range(3):
+                weight = weights[b, r, j]
+                target = out[b, nearest[b, r, j]]
+                for c in range(channels):
+                    target[c] += weight * value[c]

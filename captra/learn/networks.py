@@ -1,7 +1,7 @@
 """The networks in PyTorch behind the tracker's protocol: for evaluation while training, and to compare exports with."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 import torch
@@ -26,23 +26,23 @@ class TorchNetworks:
     """In evaluation mode."""
     rotation_net: RotationNet
     """In evaluation mode."""
-    input_sampling: InputSampling = InputSampling()
+    input_sampling: InputSampling = field(default_factory=InputSampling)
     """How the points were drawn in training."""
 
     def coordinates(
         self, points_canonical: Float32[np.ndarray, "points 3"], neighborhoods: Neighborhoods
     ) -> tuple[Float32[np.ndarray, "classes points"], Float32[np.ndarray, "parts points 3"]]:
         """Class probabilities and normalized coordinates, from the root's canonical cloud."""
+        points = torch.from_numpy(points_canonical)[None]
         with torch.inference_mode():
-            logits, coordinates = self.coordinate_net(
-                torch.from_numpy(points_canonical)[None], TorchNeighborhoods.stack([neighborhoods])
-            )
+            logits, coordinates = self.coordinate_net(points, TorchNeighborhoods.stack([neighborhoods]))
             return torch.softmax(logits[0], dim=0).numpy(), coordinates[0].contiguous().numpy()
 
     def rotations(
         self, points_canonical: Float32[np.ndarray, "parts points 3"], neighborhoods: Sequence[Neighborhoods]
     ) -> Float32[np.ndarray, "parts points width"]:
         """Raw residual rotations; part j from cloud j."""
+        points = torch.from_numpy(points_canonical)[None]
         with torch.inference_mode():
-            raw = self.rotation_net(torch.from_numpy(points_canonical)[None], TorchNeighborhoods.stack(list(neighborhoods)))
+            raw = self.rotation_net(points, TorchNeighborhoods.stack(neighborhoods))
             return raw[0].numpy()  # type: ignore[no-any-return]

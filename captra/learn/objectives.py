@@ -29,10 +29,12 @@ def coordinate_objective(network: CoordinateNet, batch: Batch, category: Categor
     return torch.stack(list(terms.values())).sum(), terms
 
 
-def rotation_objective(network: RotationNet, batch: Batch, category: Category) -> tuple[Float[Tensor, ""], Terms]:
-    """Total loss of RotationNet and its terms by name."""
-    raw = network(batch.points, batch.part_neighborhoods).float()
-    mask = losses.part_masks(batch.labels, category.num_parts)
+def rotation_objective(
+    network: RotationNet, batch: Batch, category: Category, head_points: int
+) -> tuple[Float[Tensor, ""], Terms]:
+    """Total loss of RotationNet on the first `head_points` points, and its terms by name."""
+    raw = network(batch.points, batch.part_neighborhoods, head_points).float()
+    mask = losses.part_masks(batch.labels[:, :head_points], category.num_parts)
     rotation, corners = losses.rotation_losses(raw, batch, mask, category)
     terms = {"rotation": 10 * rotation, "corners": corners}
     return torch.stack(list(terms.values())).sum(), terms

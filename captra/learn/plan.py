@@ -39,6 +39,8 @@ class Plan:
     """Decay of the moving average of the weights, a step; the average is what is exported."""
     head_start: float = 0.12
     """Share of the samples for which CoordinateNet trains alone; RotationNet then starts from its backbone."""
+    rotation_share: float = 0.25
+    """Share of the points, the first ones, that RotationNet's heads are run on."""
     density: InputSampling = InputSampling(surroundings_weight=0.4, margin=0.1)
     """How clouds are sampled, in training and by the tracker."""
     stages: tuple[Stage, ...] = (

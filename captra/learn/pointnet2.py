@@ -1,18 +1,20 @@
 """PointNet++ with multi-scale grouping, the backbone of both networks (METHOD, "Networks").
 
-Activations are rows of channels: every layer is one matrix product over all points of a batch, groups and neighbours are
-row indices. The first linear layer of a level runs before grouping, since W [f, x − c] = W_f f + W_x x − W_x c; likewise
-interpolation, a linear map too, follows the layer it feeds. Both are exact, in training as well: normalization comes after.
+Activations are rows of channels: every layer is one matrix product over all points of a batch, groups and neighbours
+are row indices. The first linear layer of a level runs before grouping, since W [f, x − c] = W_f f + W_x x − W_x c;
+likewise interpolation, a linear map too, follows the layer it feeds. Both are exact, in training as well, since the
+norm comes after.
 """
 
-from typing import NamedTuple, Self
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple, Self, cast
 
 import numpy as np
 import torch
 from jaxtyping import Float, Int
 from torch import Tensor, nn
 
-from captra.learn.fused import grouped_difference, norm_relu, norm_relu_max
+from captra.learn.fused import grouped_difference, interpolate, norm_relu, norm_relu_max
 from captra.sampling import Neighborhoods
 
 XYZ = 3
@@ -36,7 +38,7 @@ class TorchNeighborhoods(NamedTuple):
     """For each first-level centroid, its three nearest second-level ones."""
 
     @classmethod
-    def stack(cls, neighborhoods: list[Neighborhoods]) -> Self:
+    def stack(cls, neighborhoods: Sequence[Neighborhoods]) -> Self:
         """Batch the neighbourhoods of several clouds."""
 
         def batch(arrays: list[np.ndarray]) -> Tensor:
@@ -48,12 +50,6 @@ class TorchNeighborhoods(NamedTuple):
             nearest1=batch([n.nearest1 for n in neighborhoods]),
             nearest2=batch([n.nearest2 for n in neighborhoods]),
         )
-
-
-def flat_rows(index: Int[Tensor, "batch *rest"], rows_per_cloud: int) -> Int[Tensor, " rows"]:
-    """Indices into the flattened batch from indices into each cloud."""
-    offset = torch.arange(index.shape[0], dtype=torch.int64).mul_(rows_per_cloud)
-    return (index.to(torch.int64) + offset.view(-1, *[1] * (index.dim() - 1))).reshape(-1)
 
 
 class NormalizedLinear(nn.Module):
@@ -70,18 +66,39 @@ class NormalizedLinear(nn.Module):
         return norm_relu(nn.functional.linear(rows, self.weight), self.norm)
 
 
-def _normalized_max(
-    product: Float[Tensor, "rows channels"], norm: nn.BatchNorm1d, rest: list[NormalizedLinear], size: int
-) -> Float[Tensor, "groups outputs"]:
-    """The rest of an MLP after its first product, and the maximum of each `size` rows."""
-    hidden = norm_relu(product, norm)
-    for layer in rest[:-1]:
-        hidden = layer(hidden)
-    return norm_relu_max(nn.functional.linear(hidden, rest[-1].weight), rest[-1].norm, size)
+class PointwiseMlp(nn.ModuleList):
+    """Normalized layers one after another, the same for every row."""
 
+    def __init__(self, inputs: int, channels: tuple[int, ...]) -> None:
+        super().__init__(NormalizedLinear(i, o) for i, o in zip((inputs, *channels[:-1]), channels, strict=True))
 
-def _mlp(inputs: int, channels: tuple[int, ...]) -> nn.ModuleList:
-    return nn.ModuleList(NormalizedLinear(i, o) for i, o in zip((inputs, *channels[:-1]), channels, strict=True))
+    @property
+    def layers(self) -> list[NormalizedLinear]:
+        """All of them; the first one's product is computed by whoever knows its inputs."""
+        return cast("list[NormalizedLinear]", list(self))
+
+    @property
+    def first_weight(self) -> Float[Tensor, "outputs inputs"]:
+        """Of the first layer."""
+        return self.layers[0].weight
+
+    def after_product(self, product: Float[Tensor, "rows outputs"]) -> Float[Tensor, "rows outputs"]:
+        """Everything after the first layer's product."""
+        first, *rest = self.layers
+        hidden = norm_relu(product, first.norm)
+        for layer in rest:
+            hidden = layer(hidden)
+        return hidden
+
+    def maximum_after_product(
+        self, product: Float[Tensor, "rows outputs"], size: int
+    ) -> Float[Tensor, "groups outputs"]:
+        """Everything after the first layer's product, and the maximum of each `size` rows."""
+        first, *rest, last = self.layers
+        hidden = norm_relu(product, first.norm)
+        for layer in rest:
+            hidden = layer(hidden)
+        return norm_relu_max(nn.functional.linear(hidden, last.weight), last.norm, size)
 
 
 def _exact(xyz: Float[Tensor, "*rows 3"], weight: Float[Tensor, "outputs 3"]) -> Float[Tensor, "flat_rows outputs"]:
@@ -100,7 +117,7 @@ class SetAbstraction(nn.Module):
         super().__init__()
         self.features = features
         self.positions = positions
-        self.scales = nn.ModuleList(_mlp(features + XYZ * (1 + positions), widths) for widths in channels)
+        self.scales = nn.ModuleList(PointwiseMlp(features + XYZ * (1 + positions), widths) for widths in channels)
         self.outputs = sum(widths[-1] for widths in channels)
 
     def forward(
@@ -111,10 +128,9 @@ class SetAbstraction(nn.Module):
     ) -> Float[Tensor, "centroid_rows outputs"]:
         """Features of each centroid."""
         parts = []
-        for scale, group in zip(self.scales, groups, strict=True):
-            first, *rest = scale  # type: ignore[misc]
-            hidden = self._grouped(first.weight, xyz, features, group)
-            parts.append(_normalized_max(hidden, first.norm, rest, group.shape[2]))
+        for mlp, group in zip(cast("Iterable[PointwiseMlp]", self.scales), groups, strict=True):
+            product = self._grouped(mlp.first_weight, xyz, features, group)
+            parts.append(mlp.maximum_after_product(product, group.shape[2]))
         return torch.cat(parts, dim=1)
 
     def _grouped(
@@ -139,32 +155,28 @@ class GlobalAbstraction(nn.Module):
 
     def __init__(self, features: int, channels: tuple[int, ...]) -> None:
         super().__init__()
-        self.layers = _mlp(XYZ + features, channels)
+        self.layers = PointwiseMlp(XYZ + features, channels)
 
     def forward(
         self, xyz: Float[Tensor, "batch points 3"], features: Float[Tensor, "rows channels"]
     ) -> Float[Tensor, "batch outputs"]:
         """One row a cloud."""
-        first, *rest = self.layers
-        product = _exact(xyz, first.weight[:, :XYZ]) + nn.functional.linear(features, first.weight[:, XYZ:])
-        return _normalized_max(product, first.norm, rest, xyz.shape[1])
+        weight = self.layers.first_weight
+        product = _exact(xyz, weight[:, :XYZ]) + nn.functional.linear(features, weight[:, XYZ:])
+        return self.layers.maximum_after_product(product, xyz.shape[1])
 
 
 def interpolation_weights(
-    points: Float[Tensor, "batch points 3"], references: Float[Tensor, "batch refs 3"], rows: Int[Tensor, " rows3"]
-) -> Float[Tensor, "rows 3"]:
+    points: Float[Tensor, "batch points 3"],
+    references: Float[Tensor, "batch refs 3"],
+    nearest: Int[Tensor, "batch points 3"],
+) -> Float[Tensor, "batch points 3"]:
     """1 / (squared distance + 1e-8) to the three nearest, normalized."""
-    nearest = references.flatten(0, 1).index_select(0, rows).view(*points.shape[:2], 3, XYZ)
-    weights = 1 / ((points.unsqueeze(2) - nearest).square().sum(dim=-1) + 1e-8)
-    return (weights / weights.sum(dim=-1, keepdim=True)).flatten(0, 1)
-
-
-def interpolate(
-    features: Float[Tensor, "refs channels"], rows: Int[Tensor, " rows3"], weights: Float[Tensor, "rows 3"]
-) -> Float[Tensor, "rows channels"]:
-    """Weighted mean of the features of the three nearest."""
-    gathered = features.index_select(0, rows).view(-1, 3, features.shape[1])
-    return (gathered * weights.to(features.dtype).unsqueeze(-1)).sum(dim=1)
+    batch, count = nearest.shape[:2]
+    index = nearest.reshape(batch, count * 3, 1).long().expand(-1, -1, XYZ)
+    neighbors = references.gather(1, index).view(batch, count, 3, XYZ)
+    weights = 1 / ((points.unsqueeze(2) - neighbors).square().sum(dim=-1) + 1e-8)
+    return weights / weights.sum(dim=-1, keepdim=True)
 
 
 class FeaturePropagation(nn.Module):
@@ -173,33 +185,39 @@ class FeaturePropagation(nn.Module):
     def __init__(self, skip: int, coarse: int, channels: tuple[int, ...]) -> None:
         super().__init__()
         self.skip = skip
-        self.layers = _mlp(skip + coarse, channels)
+        self.layers = PointwiseMlp(skip + coarse, channels)
 
     def forward(
         self, skip: Float[Tensor, "rows outputs"], coarse: Float[Tensor, "rows outputs"]
     ) -> Float[Tensor, "rows outputs"]:
-        """From the first layer's products with both inputs, each at the finer level."""
-        first, *rest = self.layers
-        hidden = norm_relu(skip + coarse, first.norm)
-        for layer in rest:
-            hidden = layer(hidden)
-        return hidden
+        """From the first layer's products with both inputs, each with a row for every finer point."""
+        return self.layers.after_product(skip.to(coarse.dtype) + coarse)
 
     @property
     def skip_weight(self) -> Tensor:
         """The first layer's weight for the skip features."""
-        return self.layers[0].weight[:, : self.skip]  # type: ignore[index, return-value, union-attr]
+        return self.layers.first_weight[:, : self.skip]
 
-    @property
-    def coarse_weight(self) -> Tensor:
-        """The first layer's weight for the interpolated features."""
-        return self.layers[0].weight[:, self.skip :]  # type: ignore[index, return-value, union-attr]
+    def spread(
+        self,
+        coarse: Float[Tensor, "coarse_rows channels"],
+        nearest: Int[Tensor, "batch points 3"],
+        weights: Float[Tensor, "batch points 3"],
+    ) -> Float[Tensor, "rows outputs"]:
+        """The first layer's product with the interpolated features: first the product, then the interpolation."""
+        product = self.coarse_product(coarse).unflatten(0, (nearest.shape[0], -1))
+        return interpolate(product, nearest, weights).flatten(0, 1)
+
+    def coarse_product(self, coarse: Float[Tensor, "coarse_rows channels"]) -> Float[Tensor, "coarse_rows outputs"]:
+        """The first layer's product with the coarser level's features."""
+        return nn.functional.linear(coarse, self.layers.first_weight[:, self.skip :])
 
 
 class Backbone(nn.Module):
     """From a canonical cloud to features of each point.
 
-    With `positions` the first level groups [xyz, xyz − centroid] (CoordinateNet), otherwise [xyz − centroid] (RotationNet).
+    With `positions` the first level groups [xyz, xyz − centroid] (CoordinateNet), otherwise [xyz − centroid]
+    (RotationNet).
     """
 
     def __init__(self, *, positions: bool) -> None:
@@ -216,20 +234,33 @@ class Backbone(nn.Module):
         self, points: Float[Tensor, "batch points 3"], neighborhoods: TorchNeighborhoods
     ) -> Float[Tensor, "rows 128"]:
         """Features of each point, clouds one after another; `points` in farthest-point order, canonical units."""
-        linear = nn.functional.linear
         groups1, groups2, nearest1, nearest2 = neighborhoods
         xyz1, xyz2 = points[:, : groups1[0].shape[1]], points[:, : groups2[0].shape[1]]
         features1 = self.level1(points, None, groups1)
         features2 = self.level2(xyz1, features1, groups2)
         overall = self.level3(xyz2, features2)
 
-        rows2, rows1 = flat_rows(nearest2, xyz2.shape[1]), flat_rows(nearest1, xyz1.shape[1])
-        weights2 = interpolation_weights(xyz1, xyz2, rows2)
-        weights1 = interpolation_weights(points, xyz1, rows1)
-        spread = linear(overall, self.up3.coarse_weight).repeat_interleave(xyz2.shape[1], dim=0)
+        linear = nn.functional.linear
+        spread = self.up3.coarse_product(overall).repeat_interleave(xyz2.shape[1], dim=0)
         up2 = self.up3(linear(features2, self.up3.skip_weight), spread)
-        spread = interpolate(linear(up2, self.up2.coarse_weight), rows2, weights2)
+        spread = self.up2.spread(up2, nearest2, interpolation_weights(xyz1, xyz2, nearest2))
         up1 = self.up2(linear(features1, self.up2.skip_weight), spread)
-        spread = interpolate(linear(up1, self.up1.coarse_weight), rows1, weights1)
+        spread = self.up1.spread(up1, nearest1, interpolation_weights(points, xyz1, nearest1))
         up0 = self.up1(_exact(points, self.up1.skip_weight), spread)
         return self.last(up0)  # type: ignore[no-any-return]
+
+
+def copy_backbone(source: Backbone, target: Backbone) -> None:
+    """Warm-start one network's backbone from the other's: every tensor that has the same shape is copied as it is.
+
+    Only the first layers differ: with positions they read [xyz, xyz − centroid], without them [xyz − centroid].
+    Towards a backbone without positions the columns of xyz are cut off, and the running statistics of the norm after
+    them are only a start; towards one with positions its columns of xyz become zero, which computes the same.
+    """
+    state = source.state_dict()
+    for name, tensor in target.state_dict().items():
+        if tensor.shape == state[name].shape:
+            tensor.copy_(state[name])
+        else:
+            relative = tensor.zero_()[:, -XYZ:]
+            relative.copy_(state[name][:, -XYZ:])

@@ -1,4 +1,4 @@
-"""RotationNet: each part's residual rotation, from every point of its own canonical cloud (paper, Sec. "RotationNet")."""
+"""RotationNet: each part's residual rotation, as every point of its own canonical cloud sees it (paper, appendix)."""
 
 import torch
 from jaxtyping import Float
@@ -34,6 +34,13 @@ class RotationHead(nn.Module):
         self.layers = nn.ModuleList(nn.Linear(i, o) for i, o in zip(inputs, HEAD_CHANNELS, strict=True))
         self.norms = nn.ModuleList(CloudNorm(channels) for channels in HEAD_CHANNELS)
         self.output = nn.Linear(HEAD_CHANNELS[-1], width)
+        self._start_at_identity()
+
+    def _start_at_identity(self) -> None:
+        """Residual rotations are small: the untrained head answers with none."""
+        nn.init.normal_(self.output.weight, std=0.01)
+        identity = [0.0, 1.0, 0.0] if self.output.out_features == 3 else [1.0, 0.0, 0.0, 0.0, 1.0, 0.0]
+        self.output.bias.data = torch.tensor(identity)
 
     def forward(self, hidden: Float[Tensor, "batch points 128"]) -> Float[Tensor, "batch points width"]:
         """Raw rotations of each point."""
@@ -63,7 +70,8 @@ class RotationNet(nn.Module):
         Args:
             points: each part's canonical cloud in farthest-point order.
             neighborhoods: with a leading axis batch · parts, cloud j of sample b at b · parts + j.
-            head_points: run the heads on the first so many points only (a prefix of farthest points covers the cloud); all by default.
+            head_points: run the heads on so many points only, all by default; the first ones cover the whole cloud,
+                since a prefix of farthest points is farthest points of its own.
         """
         batch, parts, count = points.shape[:3]
         rows = self.backbone(points.flatten(0, 1), neighborhoods)

@@ -10,7 +10,7 @@ from torch import Tensor
 
 from captra.canonical import canonicalize
 from captra.categories import Category
-from captra.data.scenes import View
+from captra.data.view import View
 from captra.geometry import Pose
 from captra.learn.perturbation import PerturbationMix, perturb_for_training
 from captra.learn.pointnet2 import TorchNeighborhoods
@@ -95,8 +95,8 @@ class SampleMaker:
 def thin_out(
     points: Float32[np.ndarray, "all 3"], labels: np.ndarray, rng: np.random.Generator
 ) -> tuple[Float32[np.ndarray, "some 3"], np.ndarray]:
-    """Shuffle, and keep between a third and all of the points: clouds come at every density."""
-    kept = rng.permutation(len(points))[: max(64, int(len(points) * rng.uniform(0.35, 1.0)))]
+    """Shuffle, and keep between three fifths and all of the points: clouds come at every density."""
+    kept = rng.permutation(len(points))[: max(64, int(len(points) * rng.uniform(0.6, 1.0)))]
     return points[kept], labels[kept]
 
 

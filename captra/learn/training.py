@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Generic, Protocol, TypeVar
 
 import numpy as np
 import torch
@@ -14,19 +14,22 @@ from torch import nn
 from torch.optim.swa_utils import AveragedModel, get_ema_multi_avg_fn
 
 from captra.categories import Category
-from captra.data.scenes import View
+from captra.data.view import View
+from captra.learn.checkpoint import save_checkpoint
 from captra.learn.coordinate_net import CoordinateNet
 from captra.learn.objectives import Terms, coordinate_objective, rotation_objective
 from captra.learn.perturbation import PerturbationMix
 from captra.learn.plan import Plan
 from captra.learn.pointnet2 import copy_backbone
 from captra.learn.rotation_net import RotationNet
-from captra.learn.samples import Batch, SampleMaker, stack
+from captra.learn.samples import Batch, Sample, SampleMaker, stack
 from captra.sampling import NoPointsError
 
 STATE_FILE = "state.pt"
 LOG_FILE = "log.jsonl"
 PREFETCH = 2
+
+Network = TypeVar("Network", CoordinateNet, RotationNet)
 
 
 class Views(Protocol):
@@ -36,14 +39,14 @@ class Views(Protocol):
 
     def __getitem__(self, index: int) -> View: ...
 
-    def refresh(self) -> None:
-        """Look for views that were added."""
+    def refresh(self) -> int:
+        """Look for views that were added; returns how many there are."""
 
 
-class Learner:
+class Learner(Generic[Network]):
     """One network with its optimizer and the moving average of its weights."""
 
-    def __init__(self, network: nn.Module, plan: Plan) -> None:
+    def __init__(self, network: Network, plan: Plan) -> None:
         self.network = network
         self.average = AveragedModel(network, multi_avg_fn=get_ema_multi_avg_fn(plan.averaging), use_buffers=True)
         self.optimizer = torch.optim.Adam(network.parameters(), lr=plan.learning_rate, weight_decay=plan.weight_decay)
@@ -53,15 +56,19 @@ class Learner:
         for group in self.optimizer.param_groups:
             group["lr"] = learning_rate
         self.optimizer.zero_grad(set_to_none=True)
-        loss.backward()  # type: ignore[no-untyped-call]
+        loss.backward()
         nn.utils.clip_grad_norm_(self.network.parameters(), 10.0)
         self.optimizer.step()
         self.average.update_parameters(self.network)
 
-    def restart_from(self, network: nn.Module) -> None:
-        """Take over another network's weights, average included."""
-        self.network.load_state_dict(network.state_dict())
-        self.average.module.load_state_dict(network.state_dict())
+    @property
+    def averaged(self) -> Network:
+        """The network with averaged weights: what is exported."""
+        return self.average.module  # type: ignore[return-value]
+
+    def restart(self) -> None:
+        """Forget the average: it starts again from the network's weights as they are."""
+        self.averaged.load_state_dict(self.network.state_dict())
 
     def state_dict(self) -> dict[str, Any]:
         """All that resuming needs."""
@@ -104,6 +111,15 @@ class Trainer:
         if (folder / STATE_FILE).exists():
             self._resume()
 
+    def start_from(self, folder: Path) -> None:
+        """Take over the averaged weights of another run of the same category."""
+        state = torch.load(folder / STATE_FILE, weights_only=True)
+        for learner, name in ((self.coordinate, "coordinate"), (self.rotation, "rotation")):
+            learner.average.load_state_dict(state[name]["average"])
+            learner.network.load_state_dict(learner.averaged.state_dict())
+            learner.average.n_averaged.zero_()
+        self.progress.rotation_started = True
+
     def run(self, report: Callable[[Progress, dict[str, float]], None], save_every_s: float = 120.0) -> None:
         """Train until the plan's samples are used up; interrupting saves and loses nothing."""
         try:
@@ -122,16 +138,19 @@ class Trainer:
             self.save()
 
     def save(self) -> None:
-        """Write the state, atomically."""
+        """Write the state, and the averaged weights as checkpoints; each file is replaced whole."""
         state = {
             "category": self.category.name,
             "progress": vars(self.progress),
             "coordinate": self.coordinate.state_dict(),
             "rotation": self.rotation.state_dict(),
         }
-        temporary = self.folder / (STATE_FILE + ".part")
+        temporary = self.folder / (STATE_FILE + ".partial")
         torch.save(state, temporary)
         temporary.replace(self.folder / STATE_FILE)
+        training = {"samples": self.progress.samples, "seed": self.plan.seed, "views": len(self.views)}
+        save_checkpoint(self.folder / "coordinate.pt", self.coordinate.averaged, training)
+        save_checkpoint(self.folder / "rotation.pt", self.rotation.averaged, training)
 
     def _resume(self) -> None:
         state = torch.load(self.folder / STATE_FILE, weights_only=True)
@@ -142,19 +161,20 @@ class Trainer:
     def _step(self, batch: Batch) -> dict[str, float]:
         rate = self.plan.learning_rate_at(self.progress.samples)
         with torch.autocast("cpu", torch.bfloat16):
-            loss, terms = coordinate_objective(self.coordinate.network, batch, self.category)  # type: ignore[arg-type]
+            loss, terms = coordinate_objective(self.coordinate.network, batch, self.category)
         self.coordinate.step(loss, rate)
-        if self.progress.samples >= self.plan.head_start * self.plan.samples:
+        if self.progress.rotation_started or self.progress.samples >= self.plan.head_start * self.plan.samples:
             terms |= self._rotation_step(batch, rate)
         return {name: float(term.detach()) for name, term in terms.items()}
 
     def _rotation_step(self, batch: Batch, rate: float) -> Terms:
         if not self.progress.rotation_started:
-            copy_backbone(self.coordinate.average.module.backbone, self.rotation.network.backbone)  # type: ignore[arg-type, union-attr]
-            self.rotation.restart_from(self.rotation.network)
+            copy_backbone(self.coordinate.averaged.backbone, self.rotation.network.backbone)
+            self.rotation.restart()
             self.progress.rotation_started = True
         with torch.autocast("cpu", torch.bfloat16):
-            loss, terms = rotation_objective(self.rotation.network, batch, self.category)  # type: ignore[arg-type]
+            head_points = int(self.plan.rotation_share * batch.labels.shape[1])
+            loss, terms = rotation_objective(self.rotation.network, batch, self.category, head_points)
         self.rotation.step(loss, rate)
         return {f"rotation/{name}": term for name, term in terms.items()}
 
@@ -174,7 +194,7 @@ class Trainer:
         profiles = self.plan.stage_at(start).profiles
         profile = profiles[int(rng.integers(len(profiles)))]
         self.views.refresh()
-        samples = []
+        samples: list[Sample] = []
         while len(samples) < self.plan.batch_size:
             view = self.views[int(rng.integers(len(self.views)))]
             try:

@@ -1,0 +1,1 @@
+"""Training and evaluation data: procedural shapes, simulated scenes and depth cameras, recordings on disk."""

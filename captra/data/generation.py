@@ -1,0 +1,58 @@
+"""Views in bulk: deterministic, resumable, one shard at a time."""
+
+import json
+import shutil
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+import numpy as np
+
+from captra.data.dataset import pack, read_shard, write_shard
+from captra.data.shapes.shape import Shape
+from captra.data.view import View
+from captra.data.views import HiddenObjectError, ViewOptions, make_view
+
+VIEWS_PER_SHARD = 500
+
+
+def generate_view(
+    category: str, draw_shape: Callable[[np.random.Generator], Shape], seed: int, index: int, options: ViewOptions
+) -> View:
+    """View number `index` of a seed; it depends on nothing else."""
+    rng = np.random.default_rng([seed, index, *category.encode()])
+    while True:
+        try:
+            return make_view(draw_shape(rng), rng, options)
+        except HiddenObjectError:
+            continue  # another shape: the stream of random numbers has moved on
+
+
+def generate_views(
+    category: str,
+    count: int,
+    seed: int,
+    folder: Path,
+    draw_shape: Callable[[np.random.Generator], Shape],
+    options: ViewOptions | None = None,
+    progress: Callable[[int], None] = lambda done: None,
+    views_per_shard: int = VIEWS_PER_SHARD,
+) -> None:
+    """Write `count` views as shards; shards that are there already are kept, so it can be stopped at any time."""
+    folder = Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    for start in range(0, count, views_per_shard):
+        target = folder / f"seed-{seed:04d}_shard-{start // views_per_shard:05d}"
+        stop = min(start + views_per_shard, count)
+        if target.exists() and len(read_shard(target)) >= stop - start:
+            progress(stop)
+            continue
+        shutil.rmtree(target, ignore_errors=True)
+        views = [generate_view(category, draw_shape, seed, i, options or ViewOptions()) for i in range(start, stop)]
+        write_shard(target, pack(views))
+        progress(stop)
+
+
+def write_sources(folder: Path, sources: Mapping[str, str]) -> None:
+    """Note which library objects (name → licence) the views of a folder were made from."""
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "sources.json").write_text(json.dumps(dict(sources), indent=2, sort_keys=True) + "\n")

@@ -1,0 +1,92 @@
+"""Objects that people made or scanned, as shapes; deformed for variety where they are mixed into training data."""
+
+import json
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+
+from captra.categories import get_category
+from captra.data.shapes.curves import through
+from captra.data.shapes.draws import between, chance
+from captra.data.shapes.mesh import Mesh
+from captra.data.shapes.registry import make_shape
+from captra.data.shapes.shape import Shape, rigid_shape
+
+Use = Literal["train", "validate"]
+
+SHARE_PER_MESH = 0.05
+"""No single mesh makes up more than this share of the training data."""
+
+
+@dataclass(frozen=True)
+class MeshObject:
+    """One object of the library."""
+
+    name: str
+    """`category/object`."""
+    licence: str
+    """As the library states it; bundles trained on it name it."""
+    notes: str
+    """Known defects."""
+    shape: Shape
+    """As made or scanned."""
+
+
+def load_meshes(folder: Path, category: str, use: Use) -> tuple[MeshObject, ...]:
+    """Read the objects of a rigid category with this use; an empty tuple if there is none.
+
+    Raises:
+        FileNotFoundError: if the folder has no INDEX.json.
+    """
+    import trimesh
+
+    index = json.loads((folder / "INDEX.json").read_text())
+    objects = []
+    for name, entry in sorted(index.items()):
+        if entry["use"] != use or name.split("/")[0] != category:
+            continue
+        loaded = trimesh.load(folder / f"{name}.ply", process=False)
+        mesh = Mesh(np.asarray(loaded.vertices, np.float32), np.asarray(loaded.faces, np.int32))
+        objects.append(MeshObject(name, entry["licence"], entry["notes"], rigid_shape(category, [mesh])))
+    return tuple(objects)
+
+
+def deformed(shape: Shape, rng: np.random.Generator) -> Shape:
+    """Stretch a rigid shape along its axes, its width by height, and a mug's handle; axes and symmetry are kept."""
+    vertices = shape.parts[0].vertices.astype(np.float64)
+    size = shape.sizes[0]
+    if shape.category == "mug" and chance(rng, 0.7):
+        body = (
+            size[2] / 2 - size[0] / 2
+        )  # x of the body's far side from the handle is -size/2, its near side size[2] further
+        beyond = vertices[:, 0] - (body + size[2] / 2)
+        vertices[:, 0] += np.where(beyond > 0, beyond * between(rng, -0.3, 0.4), 0)
+    if chance(rng, 0.7):
+        at = np.clip(vertices[:, 1] / size[1] + 0.5, 0, 1)
+        center = size[2] / 2 - size[0] / 2 if shape.category == "mug" else 0.0
+        width = through((0, 0.35, 0.7, 1), 1 + rng.normal(0, 0.08, 4).clip(-0.16, 0.16), at)
+        vertices[:, 0] = center + (vertices[:, 0] - center) * width
+        vertices[:, 2] *= width
+    sideways = between(rng, 0.85, 1.18)
+    factors = np.array([sideways, between(rng, 0.75, 1.33), sideways]) * between(rng, 0.85, 1.15)
+    if not get_category(shape.category).symmetric:
+        factors[2] *= between(rng, 0.93, 1.07)
+    mesh = Mesh((vertices * factors).astype(np.float32), shape.parts[0].faces)
+    return rigid_shape(shape.category, [mesh])
+
+
+def shape_source(
+    category: str, meshes: tuple[MeshObject, ...], mesh_fraction: float
+) -> Callable[[np.random.Generator], Shape]:
+    """Draw procedural shapes, and deformed library objects in (at most) that fraction of cases."""
+    fraction = min(mesh_fraction, SHARE_PER_MESH * len(meshes))
+
+    def draw(rng: np.random.Generator) -> Shape:
+        if meshes and chance(rng, fraction):
+            return deformed(meshes[int(rng.integers(len(meshes)))].shape, rng)
+        return make_shape(category, rng)
+
+    return draw

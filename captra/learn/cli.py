@@ -1,0 +1,64 @@
+"""`captra train`: from rendered views to checkpoints."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+DEFAULT_FOLDER = Path(".campaign")
+
+
+def train(
+    category: Annotated[str, typer.Option(help="What to train, e.g. mug.")],
+    samples: Annotated[int, typer.Option(help="Samples that each network sees before the run ends.")] = 60_000,
+    folder: Annotated[Path, typer.Option(help="Campaign folder: views are read from it, state goes to it.")] = DEFAULT_FOLDER,
+    run: Annotated[str, typer.Option(help="Name of the run: one state and one log each.")] = "run",
+    start_from: Annotated[Path | None, typer.Option(help="Folder of another run whose weights to start from.")] = None,
+    threads: Annotated[int, typer.Option(help="CPU threads.")] = 1,
+    seed: Annotated[int, typer.Option(help="Of weights, views and perturbations.")] = 1,
+) -> None:
+    """Train both networks of a category; interrupt it whenever you like, the same command goes on.
+
+    Views come from `python -m captra.data.generate`, which may still be writing.
+
+    Example: captra train --category mug --samples 60000
+    """
+    import torch
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+
+    from captra.categories import get_category
+    from captra.data.dataset import ViewDataset
+    from captra.learn.curves import plot_curves
+    from captra.learn.plan import Plan
+    from captra.learn.training import Progress as RunProgress
+    from captra.learn.training import Trainer
+
+    console = Console()
+    torch.set_num_threads(threads)
+    chosen = get_category(category)
+    views = ViewDataset(folder / "views" / category / "train")
+    if len(views) == 0:
+        console.print(
+            f"no views in {folder / 'views' / category / 'train'}: make some first, with "
+            f"python -m captra.data.generate --category {category} --count 8000 --seed 1 --out {folder / 'views' / category / 'train'}"
+        )
+        raise typer.Exit(2)
+    state = folder / "runs" / category / run
+    trainer = Trainer(chosen, views, Plan(samples=samples, seed=seed), state)
+    if start_from is not None and trainer.progress.samples == 0:
+        trainer.start_from(start_from)
+    columns = (TextColumn("{task.description}"), BarColumn(), TextColumn("{task.completed}/{task.total}"), TimeRemainingColumn())
+    with Progress(*columns, console=console) as progress:
+        task = progress.add_task(f"{category}: samples", total=samples, completed=trainer.progress.samples)
+
+        def report(done: RunProgress, terms: dict[str, float]) -> None:
+            loss = " ".join(f"{name} {value:.3f}" for name, value in terms.items())
+            progress.update(task, completed=done.samples, description=f"{category}: {loss}"[:160])
+
+        try:
+            trainer.run(report)
+        except KeyboardInterrupt:
+            console.print("stopped; run the same command to go on")
+    plot_curves(state / "log.jsonl", state / "curves.png")
+    console.print(f"checkpoints and curves are in {state}; next: captra export --category {category} …")

@@ -1,0 +1,100 @@
+import numpy as np
+import pytest
+from tests.oracle import OracleNetworks, scene
+
+from captra.categories import CATEGORIES
+from captra.geometry import Pose, axis_angle
+from captra.health import State
+from captra.metrics import rotation_error_deg
+from captra.sampling import NoPointsError
+from captra.tracker import Tracker
+
+EVERY = pytest.mark.parametrize("name", CATEGORIES)
+
+
+def perturbed(truth: Pose, rng: np.random.Generator) -> Pose:
+    parts = truth.num_parts
+    return Pose.from_size(
+        truth.rotation @ axis_angle(rng.standard_normal((parts, 3)), 0.08),
+        truth.translation + 0.01 * rng.standard_normal((parts, 3)),
+        truth.size * rng.uniform(0.95, 1.05),
+    )
+
+
+@EVERY
+def test_one_step_with_perfect_networks_finds_the_pose_of_every_part(name: str) -> None:
+    rng = np.random.default_rng(3)
+    category, truth, cloud = scene(name, rng)
+    start = perturbed(truth, rng)
+    tracker = Tracker(OracleNetworks(category, truth, start), start)
+    result = tracker.step(cloud)
+    errors = rotation_error_deg(result.pose.rotation, truth.rotation, symmetric=category.symmetric)
+    assert errors.max() < 0.1
+    np.testing.assert_allclose(result.pose.translation, truth.translation, atol=1e-3)
+    np.testing.assert_allclose(result.pose.scale, truth.scale, rtol=1e-2)
+    np.testing.assert_allclose(result.pose.size, truth.size, rtol=0.05)
+    assert result.state is State.TRACKING
+    assert result.confidence > 0.9
+    assert tracker.pose is result.pose
+    assert [joint.name for joint in result.joints] == [joint.name for joint in category.joints]
+
+
+@pytest.mark.parametrize("name", ["bottle", "bowl", "can"])
+def test_symmetric_object_does_not_spin(name: str) -> None:
+    rng = np.random.default_rng(4)
+    category, truth, cloud = scene(name, rng)
+    tracker = Tracker(OracleNetworks(category, truth, truth), truth)
+    result = tracker.step(cloud)
+    assert rotation_error_deg(result.pose.rotation, truth.rotation, symmetric=False).max() < 0.1
+
+
+def test_a_part_without_points_keeps_its_pose() -> None:
+    rng = np.random.default_rng(5)
+    category, truth, cloud = scene("laptop_articulated", rng)
+    start = perturbed(truth, rng)
+    display_only = cloud[3000:]
+    result = Tracker(OracleNetworks(category, truth, start), start).step(display_only)
+    np.testing.assert_array_equal(result.pose.translation[0], start.translation[0])
+    np.testing.assert_array_equal(result.pose.rotation[0], start.rotation[0])
+    assert result.evidence.parts[0].points == 0
+    assert result.confidence < 0.2
+    np.testing.assert_allclose(result.pose.translation[1], truth.translation[1], atol=1e-3)
+
+
+def test_cloud_without_the_object_is_refused_and_changes_nothing() -> None:
+    rng = np.random.default_rng(6)
+    category, truth, cloud = scene("mug", rng)
+    tracker = Tracker(OracleNetworks(category, truth, truth), truth)
+    with pytest.raises(NoPointsError):
+        tracker.step(cloud + 5)
+    assert tracker.pose is truth
+
+
+def test_nearly_empty_segmented_cloud_is_refused() -> None:
+    rng = np.random.default_rng(7)
+    category, truth, cloud = scene("scissors", rng)
+    with pytest.raises(NoPointsError, match="segmented"):
+        Tracker(OracleNetworks(category, truth, truth), truth).step(cloud[:5])
+
+
+def test_pose_with_another_number_of_parts_is_refused() -> None:
+    category, truth, _ = scene("glasses", np.random.default_rng(8))
+    with pytest.raises(ValueError, match="right_temple"):
+        Tracker(OracleNetworks(category, truth, truth), truth.part(0))
+
+
+def test_step_follows_a_moved_cloud() -> None:
+    """Equivariance: moving cloud and last pose by one rigid motion moves the answer by it."""
+    rng = np.random.default_rng(9)
+    category, truth, cloud = scene("camera", rng)
+    start = perturbed(truth, rng)
+    turn, shift = axis_angle(rng.standard_normal(3), 1.0), rng.standard_normal(3)
+
+    def moved(pose: Pose) -> Pose:
+        return Pose(turn @ pose.rotation, pose.translation @ turn.T + shift, pose.scale, pose.size)
+
+    here = Tracker(OracleNetworks(category, truth, start), start).step(cloud).pose
+    there_cloud = (cloud @ turn.T + shift).astype(np.float32)
+    there = Tracker(OracleNetworks(category, moved(truth), moved(start)), moved(start)).step(there_cloud).pose
+    np.testing.assert_allclose(there.rotation, turn @ here.rotation, atol=1e-3)
+    np.testing.assert_allclose(there.translation, here.translation @ turn.T + shift, atol=1e-3)
