@@ -7,7 +7,8 @@ from captra.compiled import compiled
 from captra.geometry import box_corners
 
 _FACES = np.array([[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]])
-_SHRINK = 1 - 1e-9
+_SHRINK = 1 - 1e-6
+"""More than what rotations in single precision lack of being orthonormal."""
 _MOST_VERTICES = 16
 
 
@@ -51,7 +52,7 @@ def intersection_volume(
     """Volume shared by box a and box b, whose centre and axes are given in a's frame.
 
     The boundary of the intersection is the faces of each box inside the other; the divergence theorem sums them to a volume.
-    b is shrunk by a part in 10⁹, so that coinciding faces count once.
+    b is shrunk by a millionth, so that coinciding faces count once.
     """
     centre_a_in_b = -R_a_b.T @ t_a_b
     corners_b_in_a = box_corners(size_b * _SHRINK) @ R_a_b.T + t_a_b
