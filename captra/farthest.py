@@ -14,7 +14,7 @@ _ROUNDING = np.float32(1 - 1e-5)
 
 @compiled
 def _spread_bits(value: int) -> int:
-    """Bits 0, 1, 2, … of a six-bit number moved to 0, 3, 6, …"""
+    """Move bits 0, 1, 2, … of a six-bit number to 0, 3, 6, … ."""
     spread = 0
     for bit in range(6):
         spread |= ((value >> bit) & 1) << (3 * bit)
@@ -42,8 +42,8 @@ def farthest_order(
 ) -> Int64[np.ndarray, " count"]:
     """The first `count` (at most all) points in farthest-point order from index 0; equals go by index.
 
-    Squared distances of point i are multiplied by weights[i]². The blocks' bounding boxes bound how near a new choice can be
-    to any of their points (as in QuickFPS, Han et al. 2023); the result is that of the plain algorithm.
+    Squared distances of point i are multiplied by weights[i]². The blocks' bounding boxes bound how near a new choice
+    can be to any of their points (as in QuickFPS, Han et al. 2023); the result is that of the plain algorithm.
     """
     curve = _along_curve(points)
     total = len(points)
@@ -81,8 +81,7 @@ def farthest_order(
                 for i in range(block * BLOCK, min(block * BLOCK + BLOCK, total)):
                     ex, ey, ez = xyz[i, 0] - cx, xyz[i, 1] - cy, xyz[i, 2] - cz
                     squared = (ex * ex + ey * ey + ez * ez) * squared_weight[i]
-                    if squared < distance[i]:
-                        distance[i] = squared
+                    distance[i] = min(distance[i], squared)
                     if distance[i] > largest or (distance[i] == largest and curve[i] < index):
                         largest, index = distance[i], curve[i]
                 block_farthest[block], block_index[block] = largest, index

@@ -39,7 +39,10 @@ def mean_axis_rotation(rotations: Float[np.ndarray, "points 3 3"]) -> Float64[np
 def scale_and_translation(
     rotated: Float[np.ndarray, "points 3"], points: Float[np.ndarray, "points 3"]
 ) -> tuple[float, Float64[np.ndarray, "3"]]:
-    """Least-squares s and t of points ≈ s · rotated + t, both sets centred first (appendix "Scale and Translation Computation")."""
+    """Least-squares s and t of points ≈ s · rotated + t, both sets centred first.
+
+    Source: appendix "Scale and Translation Computation".
+    """
     w, c = np.asarray(rotated, np.float64), np.asarray(points, np.float64)
     w_centred, c_centred = w - w.mean(axis=0), c - c.mean(axis=0)
     scale = float(np.sum(w_centred * c_centred) / np.maximum(np.sum(w_centred * w_centred), 1e-12))
@@ -49,7 +52,10 @@ def scale_and_translation(
 def symmetric_alignment(
     coordinates: Float[np.ndarray, "points 3"], points: Float[np.ndarray, "points 3"]
 ) -> Float64[np.ndarray, "3 3"]:
-    """The rotation about y that best turns `coordinates` onto `points`, both in the object's axes: 2D Umeyama in the xz-plane."""
+    """The rotation about y that best turns `coordinates` onto `points`, both in the object's axes.
+
+    2D Umeyama in the xz-plane (appendix "Scale and Translation Computation").
+    """
     x, z = (np.asarray(coordinates, np.float64) - np.mean(coordinates, axis=0))[:, [0, 2]].T
     u, w = (np.asarray(points, np.float64) - np.mean(points, axis=0))[:, [0, 2]].T
     return axis_angle(Y, np.arctan2(np.sum(u * z - w * x), np.sum(u * x + w * z)))
@@ -88,14 +94,15 @@ def umeyama_ransac(
 def closest_gauge(
     rotation: Float[np.ndarray, "3 3"], reference: Float[np.ndarray, "3 3"]
 ) -> Float64[np.ndarray, "3 3"]:
-    """Turn a rotation about its own y axis until it is as close to `reference` as it can be: a symmetric object does not spin."""
+    """Turn a rotation about its own y axis until it is as close to `reference` as it can be.
+
+    A symmetric object that is reported in this gauge does not spin.
+    """
     return np.asarray(rotation @ rotation_about_axis(np.swapaxes(rotation, -1, -2) @ reference, Y))
 
 
-def rotation_about_axis(
-    rotation: Float[np.ndarray, "3 3"], axis: Float[np.ndarray, "3"]
-) -> Float64[np.ndarray, "3 3"]:
-    """The rotation about `axis` nearest to `rotation` in the Frobenius norm: the paper's Rot. Proj. for a relative rotation."""
+def rotation_about_axis(rotation: Float[np.ndarray, "3 3"], axis: Float[np.ndarray, "3"]) -> Float64[np.ndarray, "3 3"]:
+    """The rotation about `axis` nearest to `rotation` in the Frobenius norm: the paper's Rot. Proj."""
     return axis_angle(axis, angle_about_axis(rotation, axis))
 
 

@@ -59,15 +59,13 @@ def matrix_from_quat_xyzw(quat_xyzw: Float[Array, "*batch 4"]) -> Float64[Array,
 def quat_xyzw_from_matrix(rotation: Float[Array, "*batch 3 3"]) -> Float64[Array, "*batch 4"]:
     """Unit quaternions in the order x, y, z, w with w ≥ 0.
 
-    The quaternion is the dominant eigenvector of a 4×4 matrix linear in R (Bar-Itzhack, 2000), which is stable for every angle.
+    The quaternion is the dominant eigenvector of a 4×4 matrix linear in R (Bar-Itzhack, 2000): stable for every angle.
     """
     r = np.asarray(rotation, np.float64)
     matrix = np.empty((*r.shape[:-2], 4, 4))
     trace = np.trace(r, axis1=-2, axis2=-1)
     matrix[..., :3, :3] = r + np.swapaxes(r, -1, -2) - trace[..., None, None] * np.eye(3)
-    vector = np.stack(
-        [r[..., 2, 1] - r[..., 1, 2], r[..., 0, 2] - r[..., 2, 0], r[..., 1, 0] - r[..., 0, 1]], axis=-1
-    )
+    vector = np.stack([r[..., 2, 1] - r[..., 1, 2], r[..., 0, 2] - r[..., 2, 0], r[..., 1, 0] - r[..., 0, 1]], axis=-1)
     matrix[..., :3, 3] = vector
     matrix[..., 3, :3] = vector
     matrix[..., 3, 3] = trace
@@ -110,7 +108,7 @@ def project_to_rotation(matrix: Float[Array, "*batch 3 3"]) -> Float64[Array, "*
 
 
 def _normalize(vector: Float[Array, "*batch 3"]) -> Float[Array, "*batch 3"]:
-    return vector / np.maximum(np.linalg.norm(vector, axis=-1, keepdims=True), 1e-8)
+    return np.asarray(vector / np.maximum(np.linalg.norm(vector, axis=-1, keepdims=True), 1e-8))
 
 
 def rotation_from_6d(vector: Float[Array, "*batch 6"]) -> Float64[Array, "*batch 3 3"]:
@@ -131,7 +129,7 @@ def rotation_from_axis(vector: Float[Array, "*batch 3"]) -> Float64[Array, "*bat
 def box_corners(size: Float[Array, "*batch 3"]) -> Float64[Array, "*batch 8 3"]:
     """The eight corners of centred boxes, in the box's own frame."""
     signs = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0.5)])
-    return np.asarray(size, np.float64)[..., None, :] * signs
+    return np.asarray(np.asarray(size, np.float64)[..., None, :] * signs)
 
 
 def transform(pose: Pose, points_part: Float[Array, "parts points 3"]) -> Float64[Array, "parts points 3"]:

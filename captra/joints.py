@@ -22,7 +22,7 @@ class JointValue:
 
 
 def joint_value(joint: Joint, pose: Pose) -> float:
-    """Revolute: the child's rotation about the axis against its parent. Prismatic: the child's offset along the axis in the parent's frame.
+    """Rotation about the axis of the child against its parent, or the child's offset along it in the parent's frame.
 
     A prismatic value contains the constant offset between the two box centres at rest, which a pose alone cannot tell.
     """

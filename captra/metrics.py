@@ -87,7 +87,7 @@ def scale_error_percent(estimate: Pose, truth: Pose) -> Float64[np.ndarray, " pa
 def average_distance_accuracy(
     points_part: Float[np.ndarray, "points 3"], estimate: Pose, truth: Pose, fraction: float = 0.1
 ) -> bool:
-    """AD-10 %: whether model points land within `fraction` of the part's diameter of where they belong, on average (BMVC)."""
+    """AD-10 %: whether model points land, on average, within `fraction` of the part's diameter of where they belong."""
     a = points_part @ estimate.rotation[0].T + estimate.translation[0]
     b = points_part @ truth.rotation[0].T + truth.translation[0]
     return bool(np.linalg.norm(a - b, axis=-1).mean() <= fraction * truth.scale[0])

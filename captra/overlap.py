@@ -14,9 +14,12 @@ _MOST_VERTICES = 16
 
 @compiled
 def _faces_inside(
-    corners: Float64[np.ndarray, "8 3"], faces: Float64[np.ndarray, "6 4"], half: Float64[np.ndarray, "3"], origin: Float64[np.ndarray, "3"]
+    corners: Float64[np.ndarray, "8 3"],
+    faces: Float64[np.ndarray, "6 4"],
+    half: Float64[np.ndarray, "3"],
+    origin: Float64[np.ndarray, "3"],
 ) -> float:
-    """Six times the volume of the cones from `origin` to the part of each face that lies in the centred box of half extents `half`."""
+    """Six times the volume of the cones from `origin` to what lies of each face in the centred box of half extents."""
     total = 0.0
     polygon = np.empty((_MOST_VERTICES, 3))
     clipped = np.empty((_MOST_VERTICES, 3))
@@ -51,7 +54,7 @@ def intersection_volume(
 ) -> float:
     """Volume shared by box a and box b, whose centre and axes are given in a's frame.
 
-    The boundary of the intersection is the faces of each box inside the other; the divergence theorem sums them to a volume.
+    The boundary of the intersection is the faces of each box inside the other; the divergence theorem sums them up.
     b is shrunk by a millionth, so that coinciding faces count once.
     """
     centre_a_in_b = -R_a_b.T @ t_a_b

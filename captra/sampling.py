@@ -68,10 +68,8 @@ class NoPointsError(ValueError):
     """The cloud has no point near the object."""
 
 
-def crop_ball(
-    points: Float32[np.ndarray, "all 3"], pose: Pose, root: int
-) -> Int64[np.ndarray, " inside"]:
-    """Indices of the points around the last centre (METHOD: 0.6 × scale, at least 5 cm, grown while nearly empty).
+def crop_ball(points: Float32[np.ndarray, "all 3"], pose: Pose, root: int) -> Int64[np.ndarray, " inside"]:
+    """Indices of the points around the last centre (0.6 × scale, at least 5 cm, grown while nearly empty).
 
     Raises:
         NoPointsError: when even the largest ball holds fewer than ten points.
@@ -113,7 +111,10 @@ def farthest_points(
 
 @compiled
 def _ball_queries(
-    points: Float32[np.ndarray, "points 3"], centroids: int, radii: Float32[np.ndarray, " radii"], sizes: Int64[np.ndarray, " radii"]
+    points: Float32[np.ndarray, "points 3"],
+    centroids: int,
+    radii: Float32[np.ndarray, " radii"],
+    sizes: Int64[np.ndarray, " radii"],
 ) -> Int32[np.ndarray, "centroids total"]:
     groups = np.zeros((centroids, sizes.sum()), np.int32)
     starts = np.cumsum(sizes) - sizes
@@ -148,8 +149,8 @@ def ball_queries(
 ) -> tuple[Int32[np.ndarray, "centroids k"], ...]:
     """Groups around the first `centroids` points, one array a radius (radii ascending).
 
-    A group holds the first points in index order whose squared distance is below the squared radius; what is missing is filled
-    with the first one found, and a group without any takes point 0 (METHOD, "Networks").
+    A group holds the first points in index order whose squared distance is below the squared radius; what is missing is
+    filled with the first one found, and a group without any takes point 0 (as the authors' networks were trained).
     """
     groups = _ball_queries(points, centroids, np.array(radii, np.float32), np.array(sizes, np.int64))
     return tuple(np.ascontiguousarray(group) for group in np.split(groups, np.cumsum(sizes)[:-1], axis=1))

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-from jaxtyping import Float, Float32, Float64, Int
+from jaxtyping import Float32, Float64, Int
 
 from captra import fitting
 from captra.categories import Category
@@ -15,6 +15,13 @@ FEWEST_POINTS = 4
 
 INLIER_RESIDUAL = 0.05
 """Canonical distance below which a point agrees with the fit."""
+
+
+LARGEST_GROWTH = 1.5
+"""An object that seems to grow or shrink by more from one frame to the next was not seen right."""
+
+LARGEST_LEAP = 1.0
+"""Likewise one whose centre moves by more than so many scales."""
 
 
 @dataclass(frozen=True)
@@ -54,9 +61,7 @@ def per_point_rotations(
     return rotation_from_axis(raw) if category.symmetric else rotation_from_6d(raw)
 
 
-def residual_rotation(
-    rotations: Float64[np.ndarray, "points 3 3"], category: Category
-) -> Float64[np.ndarray, "3 3"]:
+def residual_rotation(rotations: Float64[np.ndarray, "points 3 3"], category: Category) -> Float64[np.ndarray, "3 3"]:
     """The part's residual rotation: the mean over its points; identity for a part without points."""
     if len(rotations) == 0:
         return np.eye(3)
@@ -83,8 +88,21 @@ def solve(
     return pose, Evidence(tuple(fit.evidence for fit in fits), float(foreground.mean()))
 
 
+def reject_leaps(pose: Pose, last: Pose) -> Pose:
+    """Keep parts that grew, shrank or moved beyond belief where they were: one bad frame cannot throw a track away."""
+    growth = np.abs(np.log(pose.scale / last.scale))
+    leap = np.linalg.norm(pose.translation - last.translation, axis=-1) / last.scale
+    kept = (growth > np.log(LARGEST_GROWTH)) | (leap > LARGEST_LEAP)
+    return Pose(
+        rotation=np.where(kept[:, None, None], last.rotation, pose.rotation),
+        translation=np.where(kept[:, None], last.translation, pose.translation),
+        scale=np.where(kept, last.scale, pose.scale),
+        size=np.where(kept[:, None], last.size, pose.size),
+    )
+
+
 def hold_gauge(pose: Pose, last: Pose, category: Category) -> Pose:
-    """Turn symmetric parts about their own axis to where they were, so that they do not spin; others stay as they are."""
+    """Turn symmetric parts about their own axis to where they were, so that they do not spin; others are left alone."""
     if not category.symmetric:
         return pose
     held = [fitting.closest_gauge(new, old) for new, old in zip(pose.rotation, last.rotation, strict=True)]

@@ -15,7 +15,7 @@ from captra.geometry import Pose
 from captra.health import Evidence, HealthMonitor, State
 from captra.joints import JointValue, joint_values
 from captra.sampling import InputSampling, Neighborhoods, Profile, build_neighborhoods
-from captra.solving import Prediction, hold_gauge, per_point_rotations, solve
+from captra.solving import Prediction, hold_gauge, per_point_rotations, reject_leaps, solve
 
 
 class Networks(Protocol):
@@ -36,7 +36,7 @@ class Networks(Protocol):
     def coordinates(
         self, points_canonical: Float32[np.ndarray, "points 3"], neighborhoods: Neighborhoods
     ) -> tuple[Float32[np.ndarray, "classes points"], Float32[np.ndarray, "parts points 3"]]:
-        """Class probabilities and normalized coordinates in [-0.5, 0.5] of every part, from the root's canonical cloud."""
+        """Class probabilities, and coordinates in [-0.5, 0.5] in each part's frame, from the root's canonical cloud."""
 
     def rotations(
         self, points_canonical: Float32[np.ndarray, "parts points 3"], neighborhoods: Sequence[Neighborhoods]
@@ -119,7 +119,7 @@ class Tracker:
         inferred = perf_counter()
         pose, evidence = solve(points, prediction, last, self._category)
         self._health = self._health.updated(evidence)
-        self._pose = hold_gauge(pose, last, self._category)
+        self._pose = hold_gauge(reject_leaps(pose, last), last, self._category)
         timing = StepTiming(*(1e3 * d for d in (sampled - started, inferred - sampled, perf_counter() - inferred)))
         joints = joint_values(self._pose, self._category)
         return TrackResult(self._pose, self._health.state, self._health.confidence, joints, evidence, timing)
@@ -141,7 +141,7 @@ def choose_points(
     root = last.part(category.root)
     aspect = (root.size / root.scale[:, None])[0]
     weights = sampling.sampling_weights(canonicalize(cloud[inside], root)[0], aspect, density)
-    return inside[sampling.farthest_points(cloud[inside], count, weights)]
+    return np.asarray(inside[sampling.farthest_points(cloud[inside], count, weights)])
 
 
 def predict(
@@ -159,4 +159,3 @@ def predict(
         labels=segmentation.argmax(axis=0),
         delta_rotations=per_point_rotations(raw_rotations, networks.category),
     )
-

@@ -97,8 +97,7 @@ def _sheet(grid: np.ndarray) -> Mesh:
 
 def _category(rng: np.random.Generator) -> Mesh:
     """Another object of a category: not the one that is tracked."""
-    mesh = make_shape(str(rng.choice(["bottle", "mug"])), rng).parts[0]
-    return mesh
+    return make_shape(str(rng.choice(["bottle", "mug"])), rng).parts[0]
 
 
 KINDS: tuple[tuple[float, Callable[[np.random.Generator], Mesh]], ...] = (

@@ -70,13 +70,18 @@ def pack(views: Sequence[View]) -> ViewShard:
 
 
 def write_shard(folder: Path, shard: ViewShard) -> None:
-    """Write a shard so that it appears under its name only once it is complete."""
+    """Write a shard so that it appears under its name only once it is complete; one that is there already is kept."""
     partial = folder.with_name(f".{folder.name}.{os.getpid()}")
     shutil.rmtree(partial, ignore_errors=True)
     partial.mkdir(parents=True)
     for field in _FIELDS:
         np.save(partial / f"{field}.npy", getattr(shard, field))
-    partial.rename(folder)
+    try:
+        partial.rename(folder)
+    except OSError:
+        shutil.rmtree(partial)
+        if not folder.exists():
+            raise
 
 
 def read_shard(folder: Path) -> ViewShard:

@@ -26,7 +26,7 @@ class DepthNoise:
     lateral_px: float = 0.0
     """Standard deviation of the shift of pixels: what makes edges ragged."""
     warp_m: float = 0.0
-    """Standard deviation at 1 m of depth errors shared by regions of the image, growing with the square of the distance."""
+    """Standard deviation at 1 m of depth errors shared by image regions, growing with the square of the distance."""
     warp_px: float = 30.0
     """Extent of these regions."""
     grain_m: float = 0.0
@@ -57,11 +57,14 @@ class DepthNoise:
     """Fraction of bodies that patches strike."""
 
 
-def draw_noise(rng: np.random.Generator) -> DepthNoise:
-    """A camera drawn from none to strong noise; kinds of errors are switched on independently."""
+def draw_noise(rng: np.random.Generator, strongest: float = 1.6) -> DepthNoise:
+    """A camera drawn from none to strong noise; kinds of errors are switched on independently.
+
+    At strength 1 a plane 1 m away is measured to a few millimetres; `strongest` bounds the draw.
+    """
     if chance(rng, 0.06):
         return DepthNoise(depth_step_m=1e-4)
-    strength = float(rng.beta(1.3, 1.8)) * 1.6
+    strength = float(rng.beta(1.3, 1.8)) * strongest
 
     def some(probability: float, high: float) -> float:
         return between(rng, 0.1, 1.0) * high * strength if chance(rng, probability) else 0.0

@@ -4,6 +4,7 @@ Example: python -m captra.data.generate --category mug --count 8000 --seed 1 --o
 """
 
 import argparse
+import sys
 import time
 from pathlib import Path
 
@@ -29,12 +30,13 @@ def main(arguments: list[str] | None = None) -> None:
     started = time.monotonic()
 
     def report(done: int) -> None:
-        print(f"{options.category}: {done}/{options.count} views after {time.monotonic() - started:.0f} s", flush=True)
+        sys.stdout.write(f"{options.category}: {done}/{options.count} views, {time.monotonic() - started:.0f} s\n")
+        sys.stdout.flush()
 
     try:
         generate_views(options.category, options.count, options.seed, options.out, draw_shape, progress=report)
     except KeyboardInterrupt:
-        print("stopped; run the same command to go on")
+        sys.stdout.write("stopped; run the same command to go on\n")
 
 
 if __name__ == "__main__":

@@ -34,7 +34,7 @@ def generate_views(
     folder: Path,
     draw_shape: Callable[[np.random.Generator], Shape],
     options: ViewOptions | None = None,
-    progress: Callable[[int], None] = lambda done: None,
+    progress: Callable[[int], None] = lambda _: None,
     views_per_shard: int = VIEWS_PER_SHARD,
 ) -> None:
     """Write `count` views as shards; shards that are there already are kept, so it can be stopped at any time."""

@@ -153,7 +153,7 @@ def handle_grip(rng: np.random.Generator, vertices: Float[np.ndarray, "V 3"]) ->
     for k in range(count):
         y = (low + high) / 2 + (k - (count - 1) / 2) * spacing
         curve = np.column_stack([np.cos(angle) * ring, np.zeros(12), side * np.sin(angle) * ring * 1.15])
-        meshes.append(tube(curve + [right - thick / 2, y, 0], radius, np.array([0.0, 1.0, 0.0])))
+        meshes.append(tube(curve + np.array([right - thick / 2, y, 0]), radius, np.array([0.0, 1.0, 0.0])))
     palm = (between(rng, 0.025, 0.034) * size, max(0.05, count * spacing * 1.1), between(rng, 0.06, 0.085) * size)
     centre = np.array([right + ring + palm[0] / 2, (low + high) / 2 + between(rng, -0.02, 0.01), -side * 0.02])
     meshes.append(superellipsoid(palm, 2.6, 16).moved(translation=centre))

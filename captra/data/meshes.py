@@ -48,7 +48,7 @@ def load_meshes(folder: Path, category: str, use: Use) -> tuple[MeshObject, ...]
     for name, entry in sorted(index.items()):
         if entry["use"] != use or name.split("/")[0] != category:
             continue
-        loaded = trimesh.load(folder / f"{name}.ply", process=False)
+        loaded = trimesh.load_mesh(folder / f"{name}.ply", process=False)
         mesh = Mesh(np.asarray(loaded.vertices, np.float32), np.asarray(loaded.faces, np.int32))
         objects.append(MeshObject(name, entry["licence"], entry["notes"], rigid_shape(category, [mesh])))
     return tuple(objects)

@@ -3,6 +3,7 @@
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -73,7 +74,7 @@ def load_recording(path: Path | str) -> Recording:
     category = str(arrays["category"]) if "category" in arrays else path.stem.split("__")[0]
     offsets, frames = arrays["offsets"], len(arrays["stamp_ns"])
     points = arrays["points"].astype(np.float32) * np.float32(UNIT_M)
-    spans = [slice(int(start), int(stop)) for start, stop in zip(offsets[:-1], offsets[1:], strict=True)]
+    spans = [slice(int(start), int(stop)) for start, stop in pairwise(offsets)]
     return Recording(
         category=get_category(category),
         name=path.stem,

@@ -9,7 +9,6 @@ import numpy as np
 from jaxtyping import Float, Float64
 from scipy.spatial import ConvexHull
 
-from captra.categories import get_category
 from captra.data.clutter import make_clutter
 from captra.data.hands import make_holder
 from captra.data.shapes.draws import between, chance, pick
@@ -19,7 +18,7 @@ from captra.data.shapes.shape import Shape
 from captra.data.shapes.surfaces import box
 from captra.geometry import axis_angle, matrix_from_quat_xyzw
 
-X, Y, Z = np.eye(3)
+X, Y = np.eye(3)[:2]
 
 
 @dataclass(frozen=True)
@@ -59,23 +58,25 @@ def make_scene(shape: Shape, rng: np.random.Generator, held_fraction: float = 0.
     return held_scene(shape, values, rng) if chance(rng, held_fraction) else table_scene(shape, values, rng)
 
 
-def held_scene(shape: Shape, joint_values: Float64[np.ndarray, " J"], rng: np.random.Generator) -> Scene:
-    """In a hand, at any orientation, above a table or against nothing at all."""
+def held_scene(
+    shape: Shape, joint_values: Float64[np.ndarray, " J"], rng: np.random.Generator, clearance: float = 0.0
+) -> Scene:
+    """In a hand, at any orientation, above a table or against nothing at all; `clearance` metres are left to move."""
     vertices = merged(posed_parts(shape, joint_values)).vertices
     attached = [make_holder(rng, vertices, handle=shape.category == "mug")] if chance(rng, 0.95) else []
     rotation = random_rotation(rng) if chance(rng, 0.6) else _upright(rng, tilt_deg=30)
     reach = float(np.linalg.norm(vertices, axis=1).max())
     surroundings: list[Mesh] = []
     if chance(rng, 0.7):
-        drop = float((vertices @ rotation.T)[:, 1].min()) - between(rng, 0.0, 0.3)
+        drop = float((vertices @ rotation.T)[:, 1].min()) - between(rng, 0.0, 0.3) - clearance
         surroundings += [plate(rng).moved(translation=np.array([0, drop, 0]))]
         surroundings += scattered(rng, vertices @ rotation.T, drop, int(rng.integers(0, 5)), touching=0.0)
     for _ in range(int(rng.integers(0, 4))):
         direction = rng.normal(size=3)
-        at = direction / np.linalg.norm(direction) * (reach + between(rng, 0.04, 0.25))
+        at = direction / np.linalg.norm(direction) * (reach + between(rng, 0.04, 0.25) + clearance)
         surroundings.append(make_clutter(rng).moved(random_rotation(rng), at))
     if chance(rng, 0.3):
-        surroundings.append(wall(rng, -reach - between(rng, 0.02, 0.4)))
+        surroundings.append(wall(rng, -reach - between(rng, 0.02, 0.4) - clearance))
     return Scene(shape, joint_values, rotation, tuple(attached), tuple(surroundings), -60.0)
 
 
@@ -113,8 +114,9 @@ def table_scene(shape: Shape, joint_values: Float64[np.ndarray, " J"], rng: np.r
 
 
 def _upright(rng: np.random.Generator, tilt_deg: float) -> Float64[np.ndarray, "3 3"]:
-    tilt_axis = axis_angle(Y, between(rng, 0, 2 * np.pi)) @ X
-    return axis_angle(tilt_axis, np.radians(rng.normal(0, tilt_deg))) @ axis_angle(Y, between(rng, 0, 2 * np.pi))
+    tilt_axis = axis_angle(Y, between(rng, 0, 2 * np.pi))[:, 0]
+    lean = axis_angle(tilt_axis, np.radians(rng.normal(0, tilt_deg)))
+    return np.asarray(lean @ axis_angle(Y, between(rng, 0, 2 * np.pi)))
 
 
 def resting_rotation(rng: np.random.Generator, vertices: Float[np.ndarray, "V 3"]) -> Float64[np.ndarray, "3 3"]:
@@ -124,7 +126,7 @@ def resting_rotation(rng: np.random.Generator, vertices: Float[np.ndarray, "V 3"
     if mode == "upright":
         return turn
     if mode == "upside down":
-        return turn @ axis_angle(X, np.pi)
+        return np.asarray(turn @ axis_angle(X, np.pi))
     if mode == "leaning":
         return _upright(rng, tilt_deg=15)
     hull = ConvexHull(vertices)
@@ -137,7 +139,7 @@ def resting_rotation(rng: np.random.Generator, vertices: Float[np.ndarray, "V 3"
     sine = float(np.linalg.norm(axis))
     if sine < 1e-6:
         return turn
-    return turn @ axis_angle(axis, np.arctan2(sine, float(down @ -Y)))
+    return np.asarray(turn @ axis_angle(axis, np.arctan2(sine, float(down @ -Y))))
 
 
 def plate(rng: np.random.Generator) -> Mesh:

@@ -41,13 +41,30 @@ class ViewOptions:
 
 
 @dataclass(frozen=True)
-class Placement:
-    """Where a camera stands: a rigid motion from the world to the camera frame."""
+class Orbit:
+    """Where a camera stands around the world's origin, and where in its image the origin appears."""
 
-    rotation: Float64[np.ndarray, "3 3"]
-    """R_camera_world."""
-    translation: Float64[np.ndarray, " 3"]
-    """The world's origin in the camera frame, metres."""
+    distance: float
+    """Depth of the origin, metres."""
+    elevation: float
+    """Angle above the horizon from which it looks down, rad."""
+    azimuth: float
+    """Angle about the world's y axis from +z towards +x, rad."""
+    roll: float
+    """Rotation about the viewing direction, rad."""
+    offset: tuple[float, float]
+    """Tangents of the angles by which the origin appears right of and below the image's middle."""
+
+    @property
+    def rotation(self) -> Float64[np.ndarray, "3 3"]:
+        """R_camera_world."""
+        level = axis_angle(np.array([1.0, 0, 0]), self.elevation) @ axis_angle(np.array([0, 1.0, 0]), -self.azimuth)
+        return np.asarray(LENS @ axis_angle(np.array([0, 0, 1.0]), self.roll) @ level)
+
+    @property
+    def translation(self) -> Float64[np.ndarray, " 3"]:
+        """The world's origin in the camera frame, metres."""
+        return self.distance * np.array([self.offset[0], self.offset[1], 1.0])
 
 
 def make_view(shape: Shape, rng: np.random.Generator, options: ViewOptions | None = None) -> View:
@@ -60,30 +77,28 @@ def make_view(shape: Shape, rng: np.random.Generator, options: ViewOptions | Non
     for _ in range(options.attempts):
         scene = make_scene(shape, rng, options.held_fraction)
         camera = Camera(focal_px=between(rng, 450, 700) if chance(rng, 0.6) else between(rng, 570, 625))
-        view = photograph(scene, camera, place_camera(scene, camera, rng), draw_noise(rng), rng, options)
+        view = photograph(scene, camera, draw_orbit(scene, camera, rng), draw_noise(rng), rng, options)
         if (view.labels < len(shape.parts)).sum() >= options.least_object_points:
             return view
     raise HiddenObjectError(f"no view of this {shape.category} shows {options.least_object_points} of its points")
 
 
-def place_camera(scene: Scene, camera: Camera, rng: np.random.Generator) -> Placement:
+def draw_orbit(scene: Scene, camera: Camera, rng: np.random.Generator) -> Orbit:
     """Look at the object from a plausible side; it need not be in the middle of the image."""
     distance = max(between(rng, 0.35, 1.1) if chance(rng, 0.75) else between(rng, 0.8, 1.6), 1.25 * scene.shape.scale)
     mean, spread = pick(rng, ((3, (38.0, 16.0)), (1, (15.0, 12.0)), (0.6, (75.0, 10.0)), (0.6, (0.0, 25.0))))
     elevation = np.radians(np.clip(rng.normal(mean, spread), scene.lowest_elevation_deg, 89.0))
     azimuth = between(rng, -0.6, 0.6)
     roll = np.radians(pick(rng, ((6, rng.normal(0, 6)), (2, rng.normal(0, 30)), (1, rng.uniform(-180, 180)))))
-    rotation = LENS @ axis_angle(np.array([0, 0, 1.0]), roll)
-    rotation = rotation @ axis_angle(np.array([1.0, 0, 0]), elevation) @ axis_angle(np.array([0, 1.0, 0]), -azimuth)
     spread_px = np.array([110.0, 75.0]) * between(rng, 0, 1.3)
-    offset = np.clip(rng.normal(0, spread_px), [-260, -190], [260, 190]) / camera.focal_px * distance
-    return Placement(rotation, np.array([offset[0], offset[1], distance]))
+    offset = np.clip(rng.normal(0, spread_px), [-260, -190], [260, 190]) / camera.focal_px
+    return Orbit(distance, float(elevation), azimuth, float(roll), (float(offset[0]), float(offset[1])))
 
 
 def photograph(
     scene: Scene,
     camera: Camera,
-    placement: Placement,
+    orbit: Orbit,
     noise: DepthNoise,
     rng: np.random.Generator,
     options: ViewOptions,
@@ -91,12 +106,13 @@ def photograph(
 ) -> View:
     """Take one frame; `motion` (R_world_object, position of the object's centre in the world) overrides the scene's."""
     world_rotation, world_translation = motion or (scene.rotation, np.zeros(3))
-    rotation = placement.rotation @ world_rotation
-    center = placement.rotation @ world_translation + placement.translation
+    view_rotation, view_translation = orbit.rotation, orbit.translation
+    rotation = view_rotation @ world_rotation
+    center = view_rotation @ world_translation + view_translation
     radius = ball_radius(scene.shape.scale)
     parts = posed_parts(scene.shape, scene.joint_values)
     bodies = [mesh.moved(rotation, center) for mesh in (*parts, *scene.attached) if len(mesh.faces)]
-    bodies += [mesh.moved(placement.rotation, placement.translation) for mesh in scene.surroundings]
+    bodies += [mesh.moved(view_rotation, view_translation) for mesh in scene.surroundings]
     patch = cast(_in_front(bodies), camera, center, radius, options.max_rays)
     patch = observe(patch, noise, rng)
     part_rotation, part_shift = part_motions(scene.shape, scene.joint_values)

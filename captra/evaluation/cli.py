@@ -7,7 +7,9 @@ from typing import Annotated
 import typer
 
 Models = Annotated[Path, typer.Option(help="Folder of bundles.")]
-Categories = Annotated[list[str] | None, typer.Option("--category", help="Category; all that have a bundle by default.")]
+Categories = Annotated[
+    list[str] | None, typer.Option("--category", help="Category; all that have a bundle by default.")
+]
 Recordings = Annotated[Path, typer.Option(help="Folder of recordings.")]
 ProfileName = Annotated[str, typer.Option(help="realtime or paper.")]
 Provider = Annotated[str, typer.Option(help="cpu, openvino, cuda or auto.")]
@@ -50,7 +52,9 @@ def evaluate(
                 continue
             found = [
                 summarize(score)
-                for score in run(networks, chain([first], sequences), lambda score: console.print(f"tracked {score.name}"))
+                for score in run(
+                    networks, chain([first], sequences), lambda score: console.print(f"tracked {score.name}")
+                )
             ]
             rows += [*found, average(f"{name}: mean of {len(found)} {group}", found)]
     console.print(table(rows, f"{profile}, {provider}"))

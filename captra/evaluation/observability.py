@@ -10,12 +10,10 @@ FEWEST_HANDLE_POINTS = 15
 HANDLE_CLEARANCE_M = 0.003
 
 
-def handle_points(
-    points: Float[np.ndarray, "points 3"], labels: np.ndarray, truth: Pose
-) -> int:
+def handle_points(points: Float[np.ndarray, "points 3"], labels: np.ndarray, truth: Pose) -> int:
     """Number of a mug's points that lie on its handle.
 
-    The body is as wide in x as the box is in z and touches the box's −x side; what stands out beyond it towards +x is handle.
+    The body is as wide in x as the box is in z and touches its −x side; what stands out beyond it towards +x is handle.
     """
     own = (points[labels == 0] - truth.translation[0]) @ truth.rotation[0]
     size_x, _, size_z = truth.size[0]
@@ -23,7 +21,7 @@ def handle_points(
 
 
 def symmetric_frames(recording: Recording) -> Bool[np.ndarray, " frames"]:
-    """Frames to score as symmetric about y: all of a symmetric category's; those of a mug that show no handle (NOCS)."""
+    """Frames to score as symmetric about y: all of a symmetric category, and those of a mug that show no handle."""
     if recording.category.symmetric:
         return np.ones(len(recording), bool)
     if recording.category.name != "mug":

@@ -1,4 +1,4 @@
-"""The response test: what one step leaves of a known rotation error, axis by axis (METHOD, "What trials on two cores taught")."""
+"""The response test: what one step leaves of a known rotation error, axis by axis."""
 
 from dataclasses import dataclass
 

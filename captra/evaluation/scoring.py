@@ -48,11 +48,11 @@ def score(recording: Recording, poses: Sequence[Pose]) -> SequenceScore:
         ValueError: when there is not one pose for each frame but the first.
     """
     if len(poses) != len(recording) - 1:
-        raise ValueError(f"{recording.name} has {len(recording)} frames: give {len(recording) - 1} poses, not {len(poses)}")
+        raise ValueError(
+            f"{recording.name} has {len(recording)} frames: give {len(recording) - 1} poses, not {len(poses)}"
+        )
     symmetric = symmetric_frames(recording)[1:]
-    rows = [
-        _frame(pose, recording, frame + 1, symmetric=bool(symmetric[frame])) for frame, pose in enumerate(poses)
-    ]
+    rows = [_frame(pose, recording, frame + 1, symmetric=bool(symmetric[frame])) for frame, pose in enumerate(poses)]
     rotation, translation, iou, iou_nocs, scale, joints = (np.array(column) for column in zip(*rows, strict=True))
     return SequenceScore(
         recording.name, recording.category.name, rotation, translation, iou, iou_nocs, scale, joints, symmetric
@@ -73,7 +73,7 @@ def _frame(pose: Pose, recording: Recording, frame: int, *, symmetric: bool) -> 
 
 
 def joint_errors(pose: Pose, truth: Pose, recording: Recording) -> Float64[np.ndarray, " joints"]:
-    """Revolute: degrees between the child's true and estimated rotation against its parent. Prismatic: cm along the axis."""
+    """Revolute: degrees between true and estimated angle of child against parent. Prismatic: cm along the axis."""
     errors = []
     for joint in recording.category.joints:
         relative, true_relative = (p.rotation[joint.parent].T @ p.rotation[joint.child] for p in (pose, truth))
@@ -81,7 +81,8 @@ def joint_errors(pose: Pose, truth: Pose, recording: Recording) -> Float64[np.nd
             errors.append(np.degrees(abs(rotation_angle(relative) - rotation_angle(true_relative))))
             continue
         offset, true_offset = (
-            p.rotation[joint.parent].T @ (p.translation[joint.child] - p.translation[joint.parent]) for p in (pose, truth)
+            p.rotation[joint.parent].T @ (p.translation[joint.child] - p.translation[joint.parent])
+            for p in (pose, truth)
         )
         errors.append(100 * abs(float(np.array(joint.axis) @ (offset - true_offset))))
     return np.array(errors, np.float64)

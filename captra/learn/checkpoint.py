@@ -76,6 +76,15 @@ def training_info(path: Path) -> dict[str, Any]:
     return dict(content.get("training", {k: content[k] for k in ("epoch", "iteration") if k in content}))
 
 
+def is_authors(path: Path) -> bool:
+    """Whether a checkpoint has the authors' layout."""
+    return _has_authors_layout(_read(path)["model"])
+
+
+def _has_authors_layout(state: StateDict) -> bool:
+    return any(key.startswith(AUTHORS_PREFIX) for key in state)
+
+
 def _read(path: Path) -> dict[str, Any]:
     try:
         content = torch.load(path, map_location="cpu", weights_only=True)
@@ -92,7 +101,7 @@ def _read(path: Path) -> dict[str, Any]:
 
 def _load(network: nn.Module, path: Path, layers: list[_Layer], wanted: str) -> None:
     state: StateDict = _read(path)["model"]
-    if any(key.startswith(AUTHORS_PREFIX) for key in state):
+    if _has_authors_layout(state):
         state = from_authors(state, network, layers, f"{path} is not {wanted}")
     else:
         _check(

@@ -11,7 +11,9 @@ DEFAULT_FOLDER = Path(".campaign")
 def train(
     category: Annotated[str, typer.Option(help="What to train, e.g. mug.")],
     samples: Annotated[int, typer.Option(help="Samples that each network sees before the run ends.")] = 60_000,
-    folder: Annotated[Path, typer.Option(help="Campaign folder: views are read from it, state goes to it.")] = DEFAULT_FOLDER,
+    folder: Annotated[
+        Path, typer.Option(help="Campaign folder: views are read from it, state goes to it.")
+    ] = DEFAULT_FOLDER,
     run: Annotated[str, typer.Option(help="Name of the run: one state and one log each.")] = "run",
     start_from: Annotated[Path | None, typer.Option(help="Folder of another run whose weights to start from.")] = None,
     threads: Annotated[int, typer.Option(help="CPU threads.")] = 1,
@@ -23,6 +25,8 @@ def train(
 
     Example: captra train --category mug --samples 60000
     """
+    import signal
+
     import torch
     from rich.console import Console
     from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
@@ -34,21 +38,32 @@ def train(
     from captra.learn.training import Progress as RunProgress
     from captra.learn.training import Trainer
 
+    def interrupt(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    signal.signal(signal.SIGINT, interrupt)  # also where a background job was started with it ignored
+    signal.signal(signal.SIGTERM, interrupt)
     console = Console()
     torch.set_num_threads(threads)
     chosen = get_category(category)
-    views = ViewDataset(folder / "views" / category / "train")
+    where = folder / "views" / category / "train"
+    views = ViewDataset(where)
     if len(views) == 0:
         console.print(
-            f"no views in {folder / 'views' / category / 'train'}: make some first, with "
-            f"python -m captra.data.generate --category {category} --count 8000 --seed 1 --out {folder / 'views' / category / 'train'}"
+            f"no views in {where}: make some first, with "
+            f"python -m captra.data.generate --category {category} --count 8000 --seed 1 --out {where}"
         )
         raise typer.Exit(2)
     state = folder / "runs" / category / run
     trainer = Trainer(chosen, views, Plan(samples=samples, seed=seed), state)
     if start_from is not None and trainer.progress.samples == 0:
         trainer.start_from(start_from)
-    columns = (TextColumn("{task.description}"), BarColumn(), TextColumn("{task.completed}/{task.total}"), TimeRemainingColumn())
+    columns = (
+        TextColumn("{task.description}"),
+        BarColumn(),
+        TextColumn("{task.completed}/{task.total}"),
+        TimeRemainingColumn(),
+    )
     with Progress(*columns, console=console) as progress:
         task = progress.add_task(f"{category}: samples", total=samples, completed=trainer.progress.samples)
 

@@ -10,7 +10,7 @@ SMOOTHING = 50
 
 
 def plot_curves(log: Path, picture: Path) -> None:
-    """Draw each loss term over the samples seen, on a logarithmic scale; nothing is drawn for a log that is too short."""
+    """Draw each loss term over the samples seen, on a logarithmic scale; a log that is too short gives no picture."""
     from matplotlib.figure import Figure
 
     rows = [json.loads(line) for line in log.read_text().splitlines()]

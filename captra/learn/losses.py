@@ -45,14 +45,18 @@ def segmentation_loss(logits: Float[Tensor, "batch classes N"], labels: Int[Tens
 
 
 def coordinate_loss(
-    predicted: Float[Tensor, "batch parts N 3"], truth: Float[Tensor, "batch parts N 3"], mask: Float[Tensor, "batch parts N"]
+    predicted: Float[Tensor, "batch parts N 3"],
+    truth: Float[Tensor, "batch parts N 3"],
+    mask: Float[Tensor, "batch parts N"],
 ) -> Float[Tensor, ""]:
     """Distance between predicted and true coordinates over each part's points."""
     return masked_mean(_norm(predicted - truth), mask)
 
 
 def symmetric_coordinate_loss(
-    predicted: Float[Tensor, "batch parts N 3"], truth: Float[Tensor, "batch parts N 3"], mask: Float[Tensor, "batch parts N"]
+    predicted: Float[Tensor, "batch parts N 3"],
+    truth: Float[Tensor, "batch parts N 3"],
+    mask: Float[Tensor, "batch parts N"],
 ) -> Float[Tensor, ""]:
     """Distance in (radius, height) about y, which a turn about y leaves alone."""
 
@@ -63,7 +67,9 @@ def symmetric_coordinate_loss(
 
 
 def pairwise_distance_loss(
-    predicted: Float[Tensor, "batch parts N 3"], truth: Float[Tensor, "batch parts N 3"], mask: Float[Tensor, "batch parts N"]
+    predicted: Float[Tensor, "batch parts N 3"],
+    truth: Float[Tensor, "batch parts N 3"],
+    mask: Float[Tensor, "batch parts N"],
 ) -> Float[Tensor, ""]:
     """Difference of the distance matrices of a few points of the object."""
     noise = torch.rand_like(mask) + mask
@@ -83,7 +89,7 @@ def pose_losses(
 ) -> tuple[Float[Tensor, ""], Float[Tensor, ""], Float[Tensor, ""]]:
     """Errors of scale, translation and box corners that follow from the coordinates, given the true rotation and mask.
 
-    Scale and translation are the closed form of `captra.fitting.scale_and_translation`; translation is taken at the true scale.
+    Scale and translation are the closed form of `captra.fitting.scale_and_translation`, translation at the true scale.
     """
     if category.symmetric:
         predicted = _turned_about_y(predicted, batch.coordinates, mask)
@@ -113,7 +119,7 @@ def pose_losses(
 def rotation_losses(
     raw: Float[Tensor, "batch parts N width"], batch: Batch, mask: Float[Tensor, "batch parts N"], category: Category
 ) -> tuple[Float[Tensor, ""], Float[Tensor, ""]]:
-    """Squared Frobenius distance to the true residual rotation per point, and distance of the box corners it would turn.
+    """Squared Frobenius distance to the true residual rotation per point, and distance of the box corners it turns.
 
     Symmetric objects: squared distance of the y axes, and of the two points where the axis leaves the box.
     """
@@ -130,9 +136,11 @@ def rotation_losses(
 
 
 def _turned_about_y(
-    predicted: Float[Tensor, "batch parts N 3"], truth: Float[Tensor, "batch parts N 3"], mask: Float[Tensor, "batch parts N"]
+    predicted: Float[Tensor, "batch parts N 3"],
+    truth: Float[Tensor, "batch parts N 3"],
+    mask: Float[Tensor, "batch parts N"],
 ) -> Float[Tensor, "batch parts N 3"]:
-    """Turn predicted coordinates about y to where they fit the true ones best (appendix "Scale and Translation Computation")."""
+    """Turn predicted coordinates about y to where they fit the true ones best."""
     weight = (mask / mask.sum(dim=-1, keepdim=True).clamp(min=1))[..., None]
     p = predicted - (predicted * weight).sum(dim=-2, keepdim=True)
     t = truth - (truth * weight).sum(dim=-2, keepdim=True)

@@ -1,6 +1,6 @@
 """What a training run is to do, stage by stage."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from captra.sampling import PAPER, REALTIME, InputSampling, Profile
 
@@ -28,7 +28,7 @@ class Plan:
     samples: int = 60_000
     """Samples that each network sees before the run ends."""
     batch_size: int = 12
-    """Samples a step (METHOD, "Training")."""
+    """Samples a step."""
     learning_rate: float = 1e-3
     """Of Adam at the start."""
     halvings: float = 5.0
@@ -41,7 +41,7 @@ class Plan:
     """Share of the samples for which CoordinateNet trains alone; RotationNet then starts from its backbone."""
     rotation_share: float = 0.25
     """Share of the points, the first ones, that RotationNet's heads are run on."""
-    density: InputSampling = InputSampling(surroundings_weight=0.4, margin=0.1)
+    density: InputSampling = field(default_factory=lambda: InputSampling(surroundings_weight=0.4, margin=0.1))
     """How clouds are sampled, in training and by the tracker."""
     stages: tuple[Stage, ...] = (
         Stage(until=0.7, profiles=(SMALL,)),

@@ -104,7 +104,7 @@ class PointwiseMlp(nn.ModuleList):
 def _exact(xyz: Float[Tensor, "*rows 3"], weight: Float[Tensor, "outputs 3"]) -> Float[Tensor, "flat_rows outputs"]:
     """Product with coordinates in float32: in bfloat16 their rounding would be a tenth of the smallest radius."""
     with torch.autocast(xyz.device.type, enabled=False):
-        return nn.functional.linear(xyz.flatten(0, 1).float(), weight.float())
+        return nn.functional.linear(xyz.flatten(0, 1), weight)
 
 
 class SetAbstraction(nn.Module):

@@ -1,5 +1,7 @@
 """RotationNet: each part's residual rotation, as every point of its own canonical cloud sees it (paper, appendix)."""
 
+from typing import cast
+
 import torch
 from jaxtyping import Float
 from torch import Tensor, nn
@@ -42,9 +44,14 @@ class RotationHead(nn.Module):
         identity = [0.0, 1.0, 0.0] if self.output.out_features == 3 else [1.0, 0.0, 0.0, 0.0, 1.0, 0.0]
         self.output.bias.data = torch.tensor(identity)
 
+    @property
+    def blocks(self) -> list[tuple[nn.Linear, CloudNorm]]:
+        """Layers before the output, each with its norm."""
+        return list(zip(cast("list[nn.Linear]", self.layers), cast("list[CloudNorm]", self.norms), strict=True))
+
     def forward(self, hidden: Float[Tensor, "batch points 128"]) -> Float[Tensor, "batch points width"]:
         """Raw rotations of each point."""
-        for layer, norm in zip(self.layers, self.norms, strict=True):
+        for layer, norm in self.blocks:
             hidden = norm(layer(hidden))
         return self.output(hidden)  # type: ignore[no-any-return]
 

@@ -11,7 +11,7 @@ from typing import Any, Generic, Protocol, TypeVar
 import numpy as np
 import torch
 from torch import nn
-from torch.optim.swa_utils import AveragedModel, get_ema_multi_avg_fn
+from torch.optim.swa_utils import AveragedModel
 
 from captra.categories import Category
 from captra.data.view import View
@@ -32,6 +32,23 @@ PREFETCH = 2
 Network = TypeVar("Network", CoordinateNet, RotationNet)
 
 
+Tensors = tuple[torch.Tensor, ...] | list[torch.Tensor]
+
+
+def ramped_average(decay: float) -> Callable[[Tensors, Tensors, torch.Tensor | int], None]:
+    """Exponential moving average whose memory grows with the run, so that it never holds on to untrained weights."""
+
+    def update(averages: Tensors, currents: Tensors, updates: torch.Tensor | int) -> None:
+        keep = min(decay, (1 + int(updates)) / (10 + int(updates)))
+        for average, current in zip(averages, currents, strict=True):
+            if average.is_floating_point():
+                average.lerp_(current, 1 - keep)
+            else:
+                average.copy_(current)
+
+    return update
+
+
 class Views(Protocol):
     """A collection of rendered views that may grow while training runs."""
 
@@ -47,8 +64,8 @@ class Learner(Generic[Network]):
     """One network with its optimizer and the moving average of its weights."""
 
     def __init__(self, network: Network, plan: Plan) -> None:
-        self.network = network
-        self.average = AveragedModel(network, multi_avg_fn=get_ema_multi_avg_fn(plan.averaging), use_buffers=True)
+        self.network: Network = network
+        self.average = AveragedModel(network, multi_avg_fn=ramped_average(plan.averaging), use_buffers=True)
         self.optimizer = torch.optim.Adam(network.parameters(), lr=plan.learning_rate, weight_decay=plan.weight_decay)
 
     def step(self, loss: torch.Tensor, learning_rate: float) -> None:

@@ -1,6 +1,5 @@
 import numpy as np
 import pytest
-from tests.oracle import OracleNetworks, scene
 
 from captra.categories import CATEGORIES
 from captra.geometry import Pose, axis_angle
@@ -8,6 +7,7 @@ from captra.health import State
 from captra.metrics import rotation_error_deg
 from captra.sampling import NoPointsError
 from captra.tracker import Tracker
+from tests.oracle import OracleNetworks, scene
 
 EVERY = pytest.mark.parametrize("name", CATEGORIES)
 
@@ -98,3 +98,14 @@ def test_step_follows_a_moved_cloud() -> None:
     there = Tracker(OracleNetworks(category, moved(truth), moved(start)), moved(start)).step(there_cloud).pose
     np.testing.assert_allclose(there.rotation, turn @ here.rotation, atol=1e-3)
     np.testing.assert_allclose(there.translation, here.translation @ turn.T + shift, atol=1e-3)
+
+
+def test_an_object_that_seems_to_explode_stays_where_it_was() -> None:
+    rng = np.random.default_rng(10)
+    category, truth, cloud = scene("camera", rng)
+    start = perturbed(truth, rng)
+    exploded = Pose(truth.rotation, truth.translation, 2 * truth.scale, 2 * truth.size)
+    result = Tracker(OracleNetworks(category, exploded, start), start).step(cloud)
+    np.testing.assert_array_equal(result.pose.scale, start.scale)
+    np.testing.assert_array_equal(result.pose.translation, start.translation)
+    np.testing.assert_array_equal(result.pose.size, start.size)

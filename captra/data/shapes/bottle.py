@@ -3,7 +3,7 @@
 import numpy as np
 from jaxtyping import Float64
 
-from captra.data.shapes.bottle_caps import CAPS
+from captra.data.shapes.bottle_caps import CAPS, Opening
 from captra.data.shapes.bottle_outlines import FAMILIES, Outline
 from captra.data.shapes.curves import polygon_factor, rounded_polyline, superellipse_factor
 from captra.data.shapes.draws import between, chance, pick
@@ -19,9 +19,8 @@ def make_bottle(rng: np.random.Generator) -> Shape:
     profile, height = _profile(rng, outline)
     body = revolve(profile, _section(rng, outline, profile[:, 1]))
     mouth, widest = float(outline.radius[-1]), float(outline.radius.max())
-    cap = CAPS[outline.cap](rng, mouth, widest, height).moved(translation=np.array([0, height, 0]))
-    shape = rigid_shape("bottle", [body, cap])
-    return shape
+    cap = CAPS[outline.cap](rng, Opening(mouth, widest, height)).moved(translation=np.array([0, height, 0]))
+    return rigid_shape("bottle", [body, cap])
 
 
 def _profile(rng: np.random.Generator, outline: Outline) -> tuple[Float64[np.ndarray, "K 2"], float]:

@@ -8,25 +8,25 @@ from scipy.interpolate import PchipInterpolator
 
 
 def rounded_polyline(
-    points: Float[np.ndarray, "K D"], radii: Sequence[float] | float, steps: int = 5
+    points: Float[np.ndarray, "K D"], radius: Sequence[float] | float, steps: int = 5
 ) -> Float64[np.ndarray, "L D"]:
     """Replace each inner corner by a quadratic Bézier arc that starts `radius` before it and ends `radius` after it.
 
     Radii are cut to half of the adjoining edges, so neighbouring arcs never overlap.
     """
     points = np.asarray(points, np.float64)
-    radii = np.broadcast_to(np.asarray(radii, np.float64), (len(points),))
+    radii = np.broadcast_to(np.asarray(radius, np.float64), (len(points),))
     edges = np.linalg.norm(np.diff(points, axis=0), axis=1)
     out = [points[:1]]
     s = np.linspace(0, 1, steps)[:, None]
     for k in range(1, len(points) - 1):
         before, after = edges[k - 1], edges[k]
-        radius = min(radii[k], 0.5 * before, 0.5 * after)
-        if radius < 1e-5:
+        cut = min(float(radii[k]), 0.5 * before, 0.5 * after)
+        if cut < 1e-5:
             out.append(points[k : k + 1])
             continue
-        start = points[k] + (points[k - 1] - points[k]) * radius / before
-        end = points[k] + (points[k + 1] - points[k]) * radius / after
+        start = points[k] + (points[k - 1] - points[k]) * cut / before
+        end = points[k] + (points[k + 1] - points[k]) * cut / after
         out.append((1 - s) ** 2 * start + 2 * s * (1 - s) * points[k] + s**2 * end)
     out.append(points[-1:])
     curve = np.concatenate(out)
@@ -34,7 +34,11 @@ def rounded_polyline(
     return np.asarray(curve[keep])
 
 
-def through(knots: Sequence[float], values: Sequence[float], at: Float[np.ndarray, " K"]) -> Float64[np.ndarray, " K"]:
+def through(
+    knots: Sequence[float] | Float[np.ndarray, " J"],
+    values: Sequence[float] | Float[np.ndarray, " J"],
+    at: Float[np.ndarray, " K"],
+) -> Float64[np.ndarray, " K"]:
     """Monotone-preserving cubic through (knot, value), which never overshoots its values."""
     return np.asarray(PchipInterpolator(knots, values)(at))
 
@@ -43,13 +47,14 @@ def resampled(curve: Float[np.ndarray, "K D"], count: int) -> Float64[np.ndarray
     """Points at equal arc length along a polyline, both ends kept."""
     lengths = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(curve, axis=0), axis=1))])
     at = np.linspace(0, lengths[-1], count)
-    return np.stack([np.interp(at, lengths, curve[:, d]) for d in range(curve.shape[1])], axis=-1)
+    return np.asarray(np.stack([np.interp(at, lengths, curve[:, d]) for d in range(curve.shape[1])], axis=-1))
 
 
 def superellipse(count: int, exponent: float, half: tuple[float, float] = (1.0, 1.0)) -> Float64[np.ndarray, "count 2"]:
     """Closed curve |x/a|^n + |y/b|^n = 1, counter-clockwise from +x: 2 is an ellipse, large exponents a rectangle."""
     angle = np.arange(count) * (2 * np.pi / count)
-    return np.stack([np.cos(angle), np.sin(angle)], -1) * superellipse_factor(angle, exponent)[:, None] * half
+    circle = np.stack([np.cos(angle), np.sin(angle)], -1)
+    return np.asarray(circle * superellipse_factor(angle, exponent)[:, None] * half)
 
 
 def superellipse_factor(angle: Float[np.ndarray, " S"], exponent: float) -> Float64[np.ndarray, " S"]:

@@ -17,8 +17,8 @@ def revolve(
 ) -> Mesh:
     """Turn a profile of (radius, y) about the y axis; from the lower outside over the top it encloses a solid.
 
-    `factor` multiplies the radius by direction (and station), which makes squared, oval, faceted or fluted bodies. Directions are
-    counted from +x towards -z.
+    `factor` multiplies the radius by direction (and station), which makes squared, oval, faceted or fluted
+    bodies. Directions are counted from +x towards -z.
     """
     radial = np.ones(segments) if factor is None else np.asarray(factor)
     around = radial.shape[-1]

@@ -2,7 +2,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from tests.oracle import OracleNetworks, scene
 
 from captra.data.recordings import Recording
 from captra.evaluation import observability, runner, summary
@@ -10,6 +9,7 @@ from captra.evaluation.response import response
 from captra.evaluation.scoring import joint_errors, score
 from captra.evaluation.table import response_table, table
 from captra.geometry import Pose, axis_angle
+from tests.oracle import OracleNetworks, scene
 
 
 def still_recording(category_name: str, frames: int = 4) -> Recording:
@@ -62,7 +62,9 @@ def test_joint_errors_of_hinges_and_slides() -> None:
         rotation, translation = truth.rotation.copy(), truth.translation.copy()
         if joint.kind == "revolute":
             relative = rotation[joint.parent].T @ rotation[joint.child]
-            axis = np.array([relative[2, 1] - relative[1, 2], relative[0, 2] - relative[2, 0], relative[1, 0] - relative[0, 1]])
+            axis = np.array(
+                [relative[2, 1] - relative[1, 2], relative[0, 2] - relative[2, 0], relative[1, 0] - relative[0, 1]]
+            )
             rotation[joint.child] = rotation[joint.child] @ axis_angle(axis, np.radians(5))
         else:
             translation[joint.child] += 0.02 * rotation[joint.parent] @ np.array(joint.axis)

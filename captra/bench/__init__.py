@@ -1,0 +1,1 @@
+"""How fast the tracker is on this machine."""

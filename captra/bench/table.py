@@ -1,0 +1,48 @@
+"""The figures in the terminal."""
+
+from collections.abc import Sequence
+
+from rich.table import Table
+
+from captra.bench.streams import BenchRun, Percentiles
+
+COLUMNS = (
+    "category",
+    "profile",
+    "provider",
+    "streams",
+    "FPS",
+    "× paper's GPU",
+    "total",
+    "sample",
+    "networks",
+    "fit",
+    "CPU ms",
+    "MiB",
+)
+
+
+def table(runs: Sequence[BenchRun], reference_fps: float) -> Table:
+    """One row a run; stages as p50 / p95 / p99 in milliseconds."""
+    result = Table(
+        title=f"milliseconds are p50 / p95 / p99; the paper's method ran at {reference_fps} frames a second on a GPU"
+    )
+    for column in COLUMNS:
+        result.add_column(column, justify="right")
+    for run in runs:
+        result.add_row(
+            run.category,
+            run.profile,
+            run.provider,
+            str(run.streams),
+            f"{run.fps:.1f}",
+            f"{run.fps / reference_fps:.2f}",
+            *(_stage(stage) for stage in (run.total, run.sample, run.infer, run.solve)),
+            f"{run.cpu_ms_per_frame:.1f}",
+            f"{run.resident_mib:.0f}",
+        )
+    return result
+
+
+def _stage(stage: Percentiles) -> str:
+    return f"{stage.p50:.1f} / {stage.p95:.1f} / {stage.p99:.1f}"

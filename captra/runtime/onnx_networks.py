@@ -1,0 +1,128 @@
+"""CoordinateNet and RotationNet of a bundle, run by ONNX Runtime."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from jaxtyping import Float32
+
+from captra.categories import Category, get_category
+from captra.runtime.bundle import COORDINATE, ROTATION, BundleError, Manifest, load_manifest, verify
+from captra.runtime.cores import available_cores
+from captra.runtime.providers import Provider, choose_provider
+from captra.sampling import InputSampling, Neighborhoods, Profile
+
+Feed = dict[str, np.ndarray]
+
+
+@dataclass(frozen=True, eq=False)
+class OnnxNetworks:
+    """Satisfies `captra.tracker.Networks`; may be shared by threads, since sessions keep nothing between two runs."""
+
+    manifest: Manifest
+    """What the bundle says of itself."""
+    category: Category
+    """What the networks were trained on."""
+    profile: Profile
+    """Shapes of the inputs."""
+    provider: Provider
+    """What runs them."""
+    threads: int
+    """Threads of one run."""
+    _coordinate: Any
+    _rotation: Any
+
+    @classmethod
+    def load(
+        cls, bundle_folder: Path, profile: Profile, provider: str = "auto", threads: int | None = None
+    ) -> "OnnxNetworks":
+        """Load both networks for one profile.
+
+        Args:
+            bundle_folder: as written by `captra export`.
+            profile: shapes of the inputs; other shapes are refused later.
+            provider: auto, cpu, openvino or cuda.
+            threads: of one run; by default as many as the container may use.
+
+        Raises:
+            BundleError: the bundle is damaged, incomplete or of another version.
+            ProviderError: the provider is unknown or not installed.
+            UnknownCategoryError: the bundle is of a category that this version does not know.
+        """
+        import onnxruntime
+
+        manifest = load_manifest(bundle_folder)
+        verify(bundle_folder, manifest)
+        category = get_category(manifest.category)
+        if manifest.parts != category.parts:
+            raise BundleError(
+                f"{bundle_folder} has the parts {', '.join(manifest.parts)}, but {category.name} has "
+                f"{', '.join(category.parts)}: export it again with this version of captra"
+            )
+        threads = threads or available_cores()
+        chosen = choose_provider(provider, threads, onnxruntime.get_available_providers())
+        sessions = [_session(bundle_folder / name, profile, chosen, threads) for name in (COORDINATE, ROTATION)]
+        return cls(manifest, category, profile, chosen, threads, *sessions)
+
+    @property
+    def input_sampling(self) -> InputSampling:
+        """How the points were drawn in training."""
+        return self.manifest.input_sampling
+
+    def coordinates(
+        self, points_canonical: Float32[np.ndarray, "points 3"], neighborhoods: Neighborhoods
+    ) -> tuple[Float32[np.ndarray, "classes points"], Float32[np.ndarray, "parts points 3"]]:
+        """Class probabilities and normalized coordinates, from the root's canonical cloud."""
+        segmentation, coordinates = self._coordinate.run(
+            ["segmentation", "coordinates"], feed(points_canonical[None], [neighborhoods])
+        )
+        return segmentation[0], coordinates[0]
+
+    def rotations(
+        self, points_canonical: Float32[np.ndarray, "parts points 3"], neighborhoods: Sequence[Neighborhoods]
+    ) -> Float32[np.ndarray, "parts points width"]:
+        """Raw residual rotations; part j from cloud j."""
+        (rotation,) = self._rotation.run(["rotation"], feed(points_canonical, neighborhoods))
+        return rotation  # type: ignore[no-any-return]
+
+
+def feed(points_canonical: Float32[np.ndarray, "clouds points 3"], neighborhoods: Sequence[Neighborhoods]) -> Feed:
+    """A graph's inputs by name; a single cloud is not copied."""
+
+    def batch(arrays: Sequence[np.ndarray]) -> np.ndarray:
+        return arrays[0][None] if len(arrays) == 1 else np.stack(arrays)
+
+    inputs = {"points": points_canonical}
+    for level in ("groups1", "groups2"):
+        by_radius = zip(*(getattr(n, level) for n in neighborhoods), strict=True)
+        inputs |= {f"{level.replace('groups', 'group')}_{i}": batch(groups) for i, groups in enumerate(by_radius)}
+    inputs |= {name: batch([getattr(n, name) for n in neighborhoods]) for name in ("nearest1", "nearest2")}
+    return inputs
+
+
+def axis_lengths(profile: Profile) -> Mapping[str, int]:
+    """Length of each dynamic axis of the graphs under a profile."""
+    first, second = profile.groups
+    return {
+        "N": profile.points,
+        "M1": profile.centroids[0],
+        "M2": profile.centroids[1],
+        **{f"k1_{i}": k for i, k in enumerate(first)},
+        **{f"k2_{i}": k for i, k in enumerate(second)},
+    }
+
+
+def _session(path: Path, profile: Profile, provider: Provider, threads: int) -> Any:
+    import onnxruntime
+
+    options = onnxruntime.SessionOptions()
+    options.intra_op_num_threads = threads
+    options.inter_op_num_threads = 1
+    # Threads that spin while they wait take the cores from whatever else runs: a busy machine gets half as fast again.
+    options.add_session_config_entry("session.intra_op.allow_spinning", "0")
+    for axis, length in axis_lengths(profile).items():
+        options.add_free_dimension_override_by_name(axis, length)
+    names, settings = zip(*provider.execution_providers, strict=True)
+    return onnxruntime.InferenceSession(str(path), options, providers=list(names), provider_options=list(settings))

@@ -1,0 +1,109 @@
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+import torch
+
+from captra.categories import get_category
+from captra.data.view import View
+from captra.learn.checkpoint import load_coordinate_net, load_rotation_net, training_info
+from captra.learn.curves import plot_curves
+from captra.learn.plan import Plan, Stage
+from captra.learn.training import LOG_FILE, Progress, Trainer
+from captra.sampling import Profile
+from tests.oracle import scene
+
+TINY = Profile("tiny", 128, (32, 8), ((4, 4, 4), (4, 4)))
+PLAN = Plan(samples=24, batch_size=4, head_start=0.5, stages=(Stage(1.0, (TINY,)),))
+
+
+class FewViews:
+    """Two views of one box, kept in memory."""
+
+    def __init__(self, name: str) -> None:
+        rng = np.random.default_rng(0)
+        category, truth, cloud = scene(name, rng, count=600)
+        labels = np.repeat(np.arange(category.num_classes), [600] * category.num_parts + [150] * category.background)
+        pose = (truth.rotation, truth.translation, truth.size)
+        self.view = View(cloud, labels.astype(np.uint8), *(a.astype(np.float32) for a in pose), np.zeros(0, np.float32))
+
+    def __len__(self) -> int:
+        return 2
+
+    def __getitem__(self, index: int) -> View:
+        return self.view
+
+    def refresh(self) -> int:
+        return 2
+
+
+def train(folder: Path, plan: Plan = PLAN, name: str = "mug", stop_after: int | None = None) -> list[int]:
+    seen: list[int] = []
+
+    def report(progress: Progress, terms: dict[str, float]) -> None:
+        seen.append(progress.samples)
+        assert all(np.isfinite(value) for value in terms.values())
+        if stop_after is not None and len(seen) == stop_after:
+            raise KeyboardInterrupt
+
+    trainer = Trainer(get_category(name), FewViews(name), plan, folder)
+    try:
+        trainer.run(report)
+    except KeyboardInterrupt:
+        assert stop_after is not None
+    return seen
+
+
+@pytest.mark.parametrize("name", ["mug", "bottle", "laptop_articulated"])
+def test_both_networks_train_and_leave_checkpoints(tmp_path: Path, name: str) -> None:
+    assert train(tmp_path, name=name) == [4, 8, 12, 16, 20, 24]
+    rows = [json.loads(line) for line in (tmp_path / LOG_FILE).read_text().splitlines()]
+    assert [("rotation/rotation" in row) for row in rows] == [False] * 3 + [True] * 3
+    category = get_category(name)
+    assert not load_coordinate_net(tmp_path / "coordinate.pt", category).training
+    assert not load_rotation_net(tmp_path / "rotation.pt", category).training
+    assert training_info(tmp_path / "coordinate.pt")["samples"] == 24
+
+
+def test_an_interrupted_run_goes_on_where_it_stopped(tmp_path: Path) -> None:
+    whole, parts = tmp_path / "whole", tmp_path / "parts"
+    train(whole)
+    assert train(parts, stop_after=2) == [4, 8]
+    assert train(parts) == [12, 16, 20, 24]
+    ours, theirs = (torch.load(folder / "state.pt", weights_only=True) for folder in (parts, whole))
+    for name, tensor in theirs["coordinate"]["network"].items():
+        torch.testing.assert_close(ours["coordinate"]["network"][name], tensor, msg=name)
+
+
+def test_a_finished_run_has_nothing_left_to_do(tmp_path: Path) -> None:
+    train(tmp_path)
+    assert train(tmp_path) == []
+
+
+def test_a_new_run_can_start_from_the_weights_of_another(tmp_path: Path) -> None:
+    train(tmp_path / "old")
+    trainer = Trainer(get_category("mug"), FewViews("mug"), replace(PLAN, seed=2), tmp_path / "new")
+    trainer.start_from(tmp_path / "old")
+    old = load_coordinate_net(tmp_path / "old" / "coordinate.pt", get_category("mug"))
+    for name, tensor in old.state_dict().items():
+        torch.testing.assert_close(trainer.coordinate.network.state_dict()[name], tensor)
+    assert trainer.progress.rotation_started
+
+
+def test_learning_rate_halves_evenly_and_stages_follow_each_other() -> None:
+    plan = Plan(samples=1000, halvings=4)
+    assert plan.learning_rate_at(500) == pytest.approx(plan.learning_rate / 4)
+    assert plan.learning_rate_at(2000) == plan.learning_rate_at(1000)
+    assert [len(plan.stage_at(n).profiles) for n in (0, 699, 700, 899, 900, 1000)] == [1, 1, 2, 2, 4, 4]
+
+
+def test_curves_are_drawn_from_a_long_enough_log(tmp_path: Path) -> None:
+    log = tmp_path / "log.jsonl"
+    log.write_text("".join(json.dumps({"samples": n, "coordinates": 1 / n}) + "\n" for n in range(1, 50)))
+    plot_curves(log, tmp_path / "short.png")
+    assert not (tmp_path / "short.png").exists()
+    log.write_text(log.read_text() * 5)
+    plot_curves(log, tmp_path / "curves.png")
+    assert (tmp_path / "curves.png").stat().st_size > 1000
