@@ -10,8 +10,7 @@ import typer
 
 GROUP = "captra.commands"
 DISTRIBUTION = "captra"
-DISTRIBUTION_OF_MODULE = {"PIL": "pillow"}
-"""Modules that are called otherwise than the distribution which brings them."""
+REQUIREMENT_OF_EXTRA = re.compile(r"""(?P<name>[\w.-]+).*\bextra == ["'](?P<extra>[\w-]+)["']""")
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
@@ -43,7 +42,7 @@ def available(entry: EntryPoint) -> Callable[..., Any]:
     except ModuleNotFoundError as error:
         missing = explain(error, prefer=entry.module) or error
 
-        def unavailable() -> None:
+        def unavailable() -> None:  # for the help alone: a command that is asked for is loaded by itself
             raise NotImplementedError
 
         unavailable.__doc__ = f"Not available: {missing}"
@@ -78,18 +77,21 @@ def explain(error: ModuleNotFoundError, prefer: str = "") -> str | None:
     `prefer` is the module of a command: an extra that is called like its package comes first.
     """
     missing = (error.name or "").partition(".")[0]
-    extras = extras_with(DISTRIBUTION_OF_MODULE.get(missing, missing), _requirements())
+    extras = extras_with(missing, _requirements())
     if not extras:
         return None
     package = prefer.partition(".")[0]
     extra = package if package in extras else extras[0]
-    return f"needs {missing}, which is not installed. Install it with: pip install '{DISTRIBUTION}[{extra}]'"
+    return (
+        f"needs {missing}, which is not installed. Install the extra that brings it: "
+        f"pip install '.[{extra}]' in the project's folder"
+    )
 
 
 def extras_with(distribution: str, requirements: Iterable[str]) -> list[str]:
     """Names of the extras among `requirements` (as in wheel metadata) that bring a distribution."""
-    pattern = re.compile(rf"{re.escape(distribution)}\b(?![-.]).*extra == [\"']([\w-]+)[\"']", re.IGNORECASE)
-    return [match[1] for requirement in requirements if (match := pattern.match(requirement))]
+    matches = (REQUIREMENT_OF_EXTRA.match(requirement) for requirement in requirements)
+    return [match["extra"] for match in matches if match and match["name"].lower() == distribution.lower()]
 
 
 def _requirements() -> Iterable[str]:

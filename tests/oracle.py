@@ -21,9 +21,7 @@ class OracleNetworks:
     profile: Profile = REALTIME
     input_sampling: InputSampling = field(default_factory=InputSampling)
 
-    def coordinates(
-        self, points_canonical: np.ndarray, neighborhoods: Neighborhoods
-    ) -> tuple[np.ndarray, np.ndarray]:
+    def coordinates(self, points_canonical: np.ndarray, neighborhoods: Neighborhoods) -> tuple[np.ndarray, np.ndarray]:
         """Exact coordinates; a point belongs to the part in whose box it lies, or else to the background."""
         root = self.last.part(self.category.root)
         points = decanonicalize(points_canonical[None], root)[0].astype(np.float32)
@@ -48,9 +46,7 @@ def box_surface(size: np.ndarray, count: int, rng: np.random.Generator) -> np.nd
     return np.asarray(points * size)
 
 
-def scene(
-    category_name: str, rng: np.random.Generator, count: int = 3000
-) -> tuple[Category, Pose, np.ndarray]:
+def scene(category_name: str, rng: np.random.Generator, count: int = 3000) -> tuple[Category, Pose, np.ndarray]:
     """A category, the pose of an object of box-shaped parts, and a cloud of it with some background."""
     category = get_category(category_name)
     parts = category.num_parts
@@ -60,9 +56,7 @@ def scene(
     if category.symmetric:
         size[:, 2] = size[:, 0]
     pose = Pose.from_size(rotation, translation, size)
-    points = [
-        box_surface(size[part], count, rng) @ rotation[part].T + translation[part] for part in range(parts)
-    ]
+    points = [box_surface(size[part], count, rng) @ rotation[part].T + translation[part] for part in range(parts)]
     if category.background:
         far = rng.standard_normal((count // 4, 3))
         radius = pose.scale[0] * rng.uniform(0.55, 0.7, (len(far), 1))

@@ -35,6 +35,7 @@ def train(
     from captra.data.dataset import ViewDataset
     from captra.learn.curves import plot_curves
     from captra.learn.plan import Plan
+    from captra.learn.provenance import provenance
     from captra.learn.training import Progress as RunProgress
     from captra.learn.training import Trainer
 
@@ -55,7 +56,7 @@ def train(
         )
         raise typer.Exit(2)
     state = folder / "runs" / category / run
-    trainer = Trainer(chosen, views, Plan(samples=samples, seed=seed), state)
+    trainer = Trainer(chosen, views, Plan(samples=samples, seed=seed), state, provenance(where))
     if start_from is not None and trainer.progress.samples == 0:
         trainer.start_from(start_from)
     columns = (

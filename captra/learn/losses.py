@@ -135,6 +135,14 @@ def rotation_losses(
     return masked_mean(difference.square().sum((-1, -2)), mask), masked_mean(_norm(moved.mT).mean(-1), mask)
 
 
+def upright_loss(
+    raw: Float[Tensor, "batch parts N 6"], batch: Batch, mask: Float[Tensor, "batch parts N"]
+) -> Float[Tensor, ""]:
+    """Squared distance of the y axes: tilt alone, untouched by a turn about y that the view may leave open."""
+    axis = rotation_from_6d(raw)[..., :, 1]
+    return masked_mean((axis - batch.rotation[..., :, 1].unsqueeze(-2)).square().sum(-1), mask)
+
+
 def _turned_about_y(
     predicted: Float[Tensor, "batch parts N 3"],
     truth: Float[Tensor, "batch parts N 3"],

@@ -1,4 +1,9 @@
-"""What each network minimizes: the paper's losses with its weights (METHOD, "Training")."""
+"""What each network minimizes: the paper's losses with its authors' weights.
+
+RotationNet has one term more: the weakly observed turn of an upright object about y, say of a mug whose handle is
+hidden, outweighs its tilt in the Frobenius distance by far, so that tilt is learned last; the y axis alone is therefore
+compared too.
+"""
 
 import torch
 from jaxtyping import Float
@@ -37,4 +42,6 @@ def rotation_objective(
     mask = losses.part_masks(batch.labels[:, :head_points], category.num_parts)
     rotation, corners = losses.rotation_losses(raw, batch, mask, category)
     terms = {"rotation": 10 * rotation, "corners": corners}
+    if not category.symmetric:
+        terms["upright"] = 20 * losses.upright_loss(raw, batch, mask)
     return torch.stack(list(terms.values())).sum(), terms

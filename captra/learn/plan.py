@@ -41,6 +41,8 @@ class Plan:
     """Share of the samples for which CoordinateNet trains alone; RotationNet then starts from its backbone."""
     rotation_share: float = 0.25
     """Share of the points, the first ones, that RotationNet's heads are run on."""
+    least_object_points: int = 200
+    """Views that show less of the object are left out: they cost as much as others and teach little."""
     density: InputSampling = field(default_factory=lambda: InputSampling(surroundings_weight=0.4, margin=0.1))
     """How clouds are sampled, in training and by the tracker."""
     stages: tuple[Stage, ...] = (

@@ -2,9 +2,9 @@
 
 import json
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import Future, ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, Generic, Protocol, TypeVar
 
@@ -117,12 +117,15 @@ class Progress:
 class Trainer:
     """One category's run in a folder that holds its state and its log."""
 
-    def __init__(self, category: Category, views: Views, plan: Plan, folder: Path) -> None:
+    def __init__(
+        self, category: Category, views: Views, plan: Plan, folder: Path, provenance: Mapping[str, Any] | None = None
+    ) -> None:
         torch.manual_seed(plan.seed)
         self.category, self.views, self.plan, self.folder = category, views, plan, folder
         self.coordinate = Learner(CoordinateNet(category.num_parts, category.num_classes), plan)
         self.rotation = Learner(RotationNet(category.num_parts, category.symmetric), plan)
         self.progress = Progress()
+        self._provenance = dict(provenance or {})
         self._make_sample = SampleMaker(category, plan.density, PerturbationMix.for_category(category))
         folder.mkdir(parents=True, exist_ok=True)
         if (folder / STATE_FILE).exists():
@@ -165,7 +168,13 @@ class Trainer:
         temporary = self.folder / (STATE_FILE + ".partial")
         torch.save(state, temporary)
         temporary.replace(self.folder / STATE_FILE)
-        training = {"samples": self.progress.samples, "seed": self.plan.seed, "views": len(self.views)}
+        training = {
+            "samples": self.progress.samples,
+            "seed": self.plan.seed,
+            "views": len(self.views),
+            "input_sampling": asdict(self.plan.density),
+            **self._provenance,
+        }
         save_checkpoint(self.folder / "coordinate.pt", self.coordinate.averaged, training)
         save_checkpoint(self.folder / "rotation.pt", self.rotation.averaged, training)
 
@@ -214,6 +223,8 @@ class Trainer:
         samples: list[Sample] = []
         while len(samples) < self.plan.batch_size:
             view = self.views[int(rng.integers(len(self.views)))]
+            if np.count_nonzero(view.labels < self.category.num_parts) < self.plan.least_object_points:
+                continue
             try:
                 samples.append(self._make_sample(view, profile, rng))
             except NoPointsError:

@@ -1,0 +1,45 @@
+# make demo    sets everything up, then tracks the bundled recording through a real service
+# make test    sets everything up, then runs all that CI runs
+
+VENV := .venv
+BIN := $(VENV)/bin
+
+# cpu, openvino or gpu: the build of onnxruntime that is installed. They overwrite each other, so it is one of them.
+RUNTIME ?= $(or $(patsubst $(VENV)/installed-%,%,$(firstword $(wildcard $(VENV)/installed-*))),cpu)
+PYTHON ?= $(shell command -v python3.11 || command -v python3)
+TORCH ?= torch==2.13.0
+
+STAMP := $(VENV)/installed-$(RUNTIME)
+
+.PHONY: venv demo serve test lint bench clean
+
+venv: $(STAMP)
+
+$(STAMP): pyproject.toml
+	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed: make PYTHON=/path/to/python3.11")'
+	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
+	rm -f $(VENV)/installed-*
+	$(BIN)/python -m pip uninstall --quiet --yes onnxruntime onnxruntime-openvino onnxruntime-gpu
+	$(BIN)/python -m pip install $(TORCH)
+	$(BIN)/python -m pip install --editable '.[$(RUNTIME),train,export,dev]'
+	touch $@
+
+demo: venv
+	$(BIN)/captra demo $(ARGS)
+
+serve: venv
+	$(BIN)/captra serve $(ARGS)
+
+test: lint
+	$(BIN)/python -m pytest $(ARGS)
+
+lint: venv
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+
+bench: venv
+	$(BIN)/captra bench $(ARGS)
+
+clean:
+	rm -rf $(VENV) build *.egg-info .mypy_cache .pytest_cache .ruff_cache .hypothesis

@@ -1,0 +1,143 @@
+"""The service's REST calls that a client needs."""
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+from urllib.parse import urlsplit
+
+import httpx
+
+from captra.geometry import Pose
+from clients.errors import RequestRefusedError, ServiceUnreachableError
+
+DEFAULT_URL = "http://127.0.0.1:8080"
+URL_VARIABLE = "CAPTRA_URL"
+ANY_ADDRESS = ("0.0.0.0", "[::]")
+
+
+@dataclass(frozen=True)
+class OpenedSession:
+    """What the service answers to `POST /v1/sessions`."""
+
+    session_id: str
+    """Names the session in REST paths and Zenoh keys."""
+    category: str
+    """What is tracked."""
+    expires_after_s: float | None
+    """Idle time after which the service closes the session by itself."""
+    cloud_key: str
+    """Zenoh key to put clouds to."""
+    pose_key: str
+    """Zenoh key that results come on."""
+    event_key: str
+    """Zenoh key that events come on."""
+    token_key: str
+    """Liveliness key of the client: when its token goes, so does the session."""
+    endpoints: tuple[str, ...]
+    """Where the service's Zenoh router listens."""
+
+
+class RestApi:
+    """One HTTP connection to one service."""
+
+    def __init__(self, url: str | None = None, timeout_s: float = 10.0) -> None:
+        """Without `url`: what `CAPTRA_URL` says, else the address where a service listens by default."""
+        self.url = url or os.environ.get(URL_VARIABLE) or DEFAULT_URL
+        self.timeout_s = timeout_s
+        self._http = httpx.Client(base_url=self.url, timeout=timeout_s)
+
+    def open(self, category: str, pose: Pose, options: Mapping[str, Any]) -> OpenedSession:
+        """POST a session; options that are None are left to the service."""
+        chosen = {name: value for name, value in options.items() if value is not None}
+        answer = self._call("POST", "/v1/sessions", json={"category": category, "parts": parts_of(pose), **chosen})
+        zenoh = answer["zenoh"]
+        stem = zenoh["cloud"].removesuffix("/cloud")
+        return OpenedSession(
+            session_id=answer["session_id"],
+            category=answer["category"],
+            expires_after_s=answer.get("expires_after_s"),
+            cloud_key=zenoh["cloud"],
+            pose_key=zenoh["pose"],
+            event_key=zenoh["event"],
+            token_key=zenoh.get("liveliness", {}).get("client", f"{stem}/client"),
+            endpoints=tuple(reachable(endpoint, self.url) for endpoint in zenoh["endpoints"]),
+        )
+
+    def session(self, session_id: str) -> Mapping[str, Any]:
+        """GET state, last result and counters."""
+        return self._call("GET", f"/v1/sessions/{session_id}")
+
+    def reset(self, session_id: str, pose: Pose) -> None:
+        """PUT a new pose."""
+        self._call("PUT", f"/v1/sessions/{session_id}/pose", json={"parts": parts_of(pose)})
+
+    def post_frame(
+        self, session_id: str, payload: bytes, media_type: str, *, seq: int, stamp_ns: int
+    ) -> Mapping[str, Any]:
+        """POST one cloud; the answer is its result."""
+        return self._call(
+            "POST",
+            f"/v1/sessions/{session_id}/frames",
+            params={"seq": seq, "stamp_ns": stamp_ns},
+            content=payload,
+            headers={"Content-Type": media_type},
+        )
+
+    def delete(self, session_id: str) -> None:
+        """Close a session; one that is gone already is fine."""
+        try:
+            self._call("DELETE", f"/v1/sessions/{session_id}")
+        except RequestRefusedError as error:
+            if error.status != httpx.codes.NOT_FOUND:
+                raise
+
+    def check_ready(self) -> None:
+        """Do nothing when the service is up, with networks loaded and kernels compiled.
+
+        Raises:
+            RequestRefusedError: it is not; `reason` is `hindered` where waiting does not help.
+            ServiceUnreachableError: nothing answers yet.
+        """
+        self._call("GET", "/v1/health/ready")
+
+    def close(self) -> None:
+        """Close the connection."""
+        self._http.close()
+
+    def _call(self, method: str, path: str, **request: Any) -> Mapping[str, Any]:
+        try:
+            response = self._http.request(method, path, **request)
+        except httpx.TransportError as error:
+            raise ServiceUnreachableError(
+                f"no captra service answers at {self.url} ({error}): start one with `captra serve`, "
+                f"or say where it is with --url or {URL_VARIABLE}"
+            ) from error
+        if response.is_success:
+            return response.json() if response.content else {}
+        raise refusal(response)
+
+
+def parts_of(pose: Pose) -> list[dict[str, Any]]:
+    """A pose as the bodies of the REST API have it: one entry a part, rotation as a matrix, metres."""
+    return [
+        {"rotation": {"matrix": rotation.tolist()}, "translation": translation.tolist(), "size": size.tolist()}
+        for rotation, translation, size in zip(pose.rotation, pose.translation, pose.size, strict=True)
+    ]
+
+
+def reachable(endpoint: str, url: str) -> str:
+    """A Zenoh endpoint as a client reaches it: a service that listens on any address is where its REST API is."""
+    for address in ANY_ADDRESS:
+        endpoint = endpoint.replace(f"/{address}:", f"/{urlsplit(url).hostname}:")
+    return endpoint
+
+
+def refusal(response: httpx.Response) -> RequestRefusedError:
+    """The exception for an answer that is no success, from its problem+json where it has one."""
+    problem: Mapping[str, Any] = {}
+    if "json" in response.headers.get("Content-Type", ""):
+        body = response.json()
+        problem = body if isinstance(body, dict) else {}
+    detail = problem.get("detail") or problem.get("title") or response.reason_phrase
+    return RequestRefusedError(response.status_code, problem.get("reason") or "unknown", str(detail))

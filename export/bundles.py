@@ -1,0 +1,83 @@
+"""From two checkpoints to a bundle that was compared with them."""
+
+import shutil
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+
+import onnx
+
+from captra.categories import Category
+from captra.learn.checkpoint import load_coordinate_net, load_rotation_net
+from captra.learn.networks import TorchNetworks
+from captra.runtime.bundle import COORDINATE, ROTATION, Manifest, sha256_of, write_manifest
+from captra.runtime.onnx_networks import OnnxNetworks
+from captra.sampling import PROFILES
+from export.graph import OPSET
+from export.onnx_export import coordinate_model, rotation_model
+from export.parity import Difference, require_parity
+from export.provenance import input_sampling_of, training_of
+
+
+def unchanged(manifest: Manifest) -> Manifest:
+    """Add nothing to what the checkpoints say."""
+    return manifest
+
+
+def silent(_profile: str, _difference: Difference) -> None:
+    """Tell nobody."""
+
+
+def export_bundle(
+    coordinate: Path,
+    rotation: Path,
+    category: Category,
+    precision: str,
+    out: Path,
+    *,
+    describe: Callable[[Manifest], Manifest] = unchanged,
+    report: Callable[[str, Difference], None] = silent,
+) -> Manifest:
+    """Write a bundle; the folder appears only once its graphs agree with the checkpoints at every profile.
+
+    Args:
+        coordinate: CoordinateNet's checkpoint, of the authors or ours.
+        rotation: RotationNet's.
+        category: of both.
+        precision: of the stored weights: float32 or float16.
+        out: the bundle's folder; its three files are replaced if they are there.
+        describe: what to change in the manifest before it is written.
+        report: told how far ONNX Runtime and PyTorch are apart at each profile.
+
+    Raises:
+        CheckpointError: a checkpoint does not fit.
+        PrecisionError: the precision is unknown or too narrow.
+        ParityError: the graphs compute something else than the checkpoints.
+    """
+    coordinate_net, rotation_net = load_coordinate_net(coordinate, category), load_rotation_net(rotation, category)
+    out.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(prefix=f".{out.name}-", dir=out.parent) as scratch:
+        folder = Path(scratch)
+        onnx.save(coordinate_model(coordinate_net, precision), folder / COORDINATE)
+        onnx.save(rotation_model(rotation_net, precision), folder / ROTATION)
+        manifest = describe(
+            Manifest(
+                category=category.name,
+                parts=category.parts,
+                symmetric=category.symmetric,
+                precision=precision,
+                opset=OPSET,
+                sha256={name: sha256_of(folder / name) for name in (COORDINATE, ROTATION)},
+                training=training_of(coordinate, rotation),
+                input_sampling=input_sampling_of(coordinate),
+            )
+        )
+        write_manifest(folder, manifest)
+        for profile in PROFILES.values():
+            torch_networks = TorchNetworks(category, profile, coordinate_net, rotation_net)
+            exported = OnnxNetworks.load(folder, profile, provider="cpu")
+            report(profile.name, require_parity(torch_networks, exported, precision))
+        out.mkdir(exist_ok=True)
+        for path in sorted(folder.iterdir()):
+            shutil.move(path, out / path.name)
+    return manifest

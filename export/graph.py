@@ -1,0 +1,94 @@
+"""Writing ONNX graphs node by node: values are names, and every node is named after its output."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import onnx
+from jaxtyping import Float
+from onnx import TensorProto, helper, numpy_helper
+
+OPSET = 17
+"""The oldest with everything that the networks need, so that old runtimes load them."""
+
+IR_VERSION = 8
+"""The one that came with the opset."""
+
+PRECISIONS: dict[str, type[np.floating]] = {"float32": np.float32, "float16": np.float16}
+"""How matrices are stored; arithmetic is float32 either way, unless the runtime lowers it."""
+
+
+class PrecisionError(ValueError):
+    """The weights cannot be stored in the precision asked for."""
+
+
+class GraphWriter:
+    """Collects nodes and constants of one graph."""
+
+    def __init__(self, precision: str) -> None:
+        if precision not in PRECISIONS:
+            raise PrecisionError(f"unknown precision {precision!r}: choose one of {', '.join(PRECISIONS)}")
+        self._matrix_type = PRECISIONS[precision]
+        self._nodes: list[onnx.NodeProto] = []
+        self._constants: dict[str, onnx.TensorProto] = {}
+
+    def __call__(self, operator: str, *inputs: str, name: str = "", **attributes: Any) -> str:
+        """Append a node and return the name of its only output."""
+        output = name or f"{operator.lower()}_{len(self._nodes)}"
+        self._nodes.append(helper.make_node(operator, list(inputs), [output], name=output, **attributes))
+        return output
+
+    def matrix(self, name: str, values: Float[np.ndarray, "inputs outputs"]) -> str:
+        """A matrix of weights, stored in the graph's precision and cast to float32, once, when the model is loaded.
+
+        Raises:
+            PrecisionError: a weight is too large for the precision.
+        """
+        with np.errstate(over="ignore"):
+            stored = values.astype(self._matrix_type)
+        if not np.isfinite(stored).all():
+            raise PrecisionError(f"{name} does not fit into {stored.dtype}: export with --precision float32")
+        constant = self._constant(name, stored)
+        if stored.dtype == np.float32:
+            return constant
+        return self("Cast", constant, name=f"{name}.float32", to=TensorProto.FLOAT)
+
+    def vector(self, name: str, values: Float[np.ndarray, "..."]) -> str:
+        """Biases and the like, always float32."""
+        return self._constant(name, values.astype(np.float32))
+
+    def number(self, value: float) -> str:
+        """A float32 scalar."""
+        return self._constant(f"float.{value:g}", np.array(value, np.float32))
+
+    def index(self, value: int) -> str:
+        """An int64 scalar."""
+        return self._constant(f"int.{value}", np.array(value, np.int64))
+
+    def integers(self, *values: int) -> str:
+        """A vector of int64, for shapes and axes."""
+        return self._constant("ints." + ".".join(str(value) for value in values), np.array(values, np.int64))
+
+    def offsets(self, parts: int) -> str:
+        """0, 1, 2 … as int32 (parts, 1, 1)."""
+        return self._constant(f"parts.{parts}", np.arange(parts, dtype=np.int32).reshape(parts, 1, 1))
+
+    def _constant(self, name: str, values: np.ndarray) -> str:
+        if name not in self._constants:
+            self._constants[name] = numpy_helper.from_array(np.asarray(values, order="C"), name)
+        return name
+
+    def model(
+        self, name: str, inputs: Sequence[onnx.ValueInfoProto], outputs: Sequence[onnx.ValueInfoProto]
+    ) -> onnx.ModelProto:
+        """The whole graph, checked."""
+        graph = helper.make_graph(self._nodes, name, inputs, outputs, list(self._constants.values()))
+        opset = helper.make_opsetid("", OPSET)
+        model = helper.make_model(graph, producer_name="captra", ir_version=IR_VERSION, opset_imports=[opset])
+        onnx.checker.check_model(model, full_check=True)
+        return model
+
+
+def tensor(name: str, element_type: int, *shape: int | str) -> onnx.ValueInfoProto:
+    """Describe an input or output; named axes are dynamic."""
+    return helper.make_tensor_value_info(name, element_type, list(shape))

@@ -1,0 +1,51 @@
+"""What a manifest says about where weights come from, read from the checkpoints themselves."""
+
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from captra.learn.checkpoint import is_authors, training_info
+from captra.runtime.bundle import MeshCredit, Training
+from captra.sampling import InputSampling
+
+AUTHORS_DATA = "the authors' released checkpoints: synthetic data of the paper (NOCS-CAMERA, SAPIEN)"
+OWN_DATA = "procedural shapes in simulated scenes, seen by a simulated depth camera"
+BATCH_SIZE = 12
+"""Samples a step, where a checkpoint counts samples only."""
+
+
+def training_of(coordinate: Path, rotation: Path) -> Training:
+    """What both checkpoints say of their training.
+
+    Raises:
+        CheckpointError: one of them is no checkpoint.
+    """
+    coordinate_info, rotation_info = training_info(coordinate), training_info(rotation)
+    details: dict[str, Any] = {"coordinate": coordinate_info, "rotation": rotation_info}
+    return Training(
+        data=AUTHORS_DATA if is_authors(coordinate) else str(coordinate_info.get("data", OWN_DATA)),
+        steps=_steps(coordinate_info),
+        seed=coordinate_info.get("seed"),
+        commit=str(coordinate_info.get("commit", "")),
+        meshes=tuple(MeshCredit(**mesh) for mesh in coordinate_info.get("meshes", ())),
+        details={name: _without(info, "meshes", "input_sampling") for name, info in details.items()},
+    )
+
+
+def input_sampling_of(coordinate: Path) -> InputSampling:
+    """How the points of training were drawn; uniformly unless the checkpoint says otherwise, as in the paper.
+
+    Raises:
+        CheckpointError: it is no checkpoint.
+    """
+    return InputSampling(**{**asdict(InputSampling()), **training_info(coordinate).get("input_sampling", {})})
+
+
+def _steps(info: dict[str, Any]) -> int:
+    if "steps" in info:
+        return int(info["steps"])
+    return int(info.get("iteration", int(info.get("samples", 0)) // BATCH_SIZE))
+
+
+def _without(info: dict[str, Any], *names: str) -> dict[str, Any]:
+    return {name: value for name, value in info.items() if name not in names}

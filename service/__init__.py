@@ -1,0 +1,1 @@
+"""The tracking service: poses by REST, clouds and results by Zenoh."""

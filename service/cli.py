@@ -1,0 +1,47 @@
+"""The `serve` command."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+HELP_CONFIG = "TOML file of settings; CAPTRA_* variables win over it."
+
+
+def serve(
+    config: Annotated[Path | None, typer.Option(help=HELP_CONFIG)] = None,
+    host: Annotated[str | None, typer.Option(help="Interface of the REST API (CAPTRA_HTTP_HOST).")] = None,
+    port: Annotated[int | None, typer.Option(help="Port of the REST API (CAPTRA_HTTP_PORT).")] = None,
+    zenoh_listen: Annotated[
+        list[str] | None, typer.Option(help="Endpoint of the Zenoh router, may be repeated (CAPTRA_ZENOH_LISTEN).")
+    ] = None,
+    models_dir: Annotated[Path | None, typer.Option(help="Folder of model bundles (CAPTRA_MODELS_DIR).")] = None,
+) -> None:
+    """Serve poses: REST on port 8080, an embedded Zenoh router on port 7447, both on loopback unless told otherwise.
+
+    Stops on SIGTERM or Ctrl-C, after the frames in hand.
+
+    Example: `captra serve --port 8090 --zenoh-listen tcp/0.0.0.0:7447`
+    """
+    from pydantic import ValidationError
+    from pydantic_settings import SettingsError
+
+    from service.http_server import PortInUseError
+    from service.run import run
+    from service.settings import MissingConfigError, load_settings
+    from service.transport import TransportError
+
+    options = {"http_host": host, "http_port": port, "zenoh_listen": zenoh_listen or None, "models_dir": models_dir}
+    try:
+        run(load_settings(config, {name: value for name, value in options.items() if value is not None}))
+    except ValidationError as error:
+        for entry in error.errors():
+            name = ".".join(str(step) for step in entry["loc"])
+            typer.echo(f"captra serve: setting {name}: {entry['msg']}", err=True)
+        raise typer.Exit(2) from None
+    except (MissingConfigError, SettingsError) as error:
+        typer.echo(f"captra serve: {error}", err=True)
+        raise typer.Exit(2) from None
+    except (PortInUseError, TransportError) as error:
+        typer.echo(f"captra serve: {error}", err=True)
+        raise typer.Exit(1) from None

@@ -1,0 +1,144 @@
+"""Clouds off the wire: one strategy an encoding, each malformed input with its own reason."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Protocol
+
+import numpy as np
+from jaxtyping import Float32
+
+from service.envelopes import Envelope, FrameHeader, unpack_attachment
+from service.rejections import (
+    CoordinatesOutOfRangeError,
+    EmptyCloudError,
+    NotFiniteError,
+    PayloadTooLargeError,
+    TooManyPointsError,
+    UnknownEncodingError,
+    WrongByteCountError,
+)
+
+CLOUD_F32 = "application/vnd.captra.cloud.f32"
+"""N×3 little-endian float32, metres."""
+CLOUD_I16 = "application/vnd.captra.cloud.i16"
+"""N×3 little-endian int16, tenths of a millimetre."""
+
+LARGEST_COORDINATE_M = 1e6
+"""Beyond it squares of distances lose their meaning in single precision."""
+
+
+class CloudCodec(Protocol):
+    """Reads clouds of one encoding."""
+
+    @property
+    def encoding(self) -> str:
+        """Media type, lower case, without parameters."""
+
+    def header(self, envelope: Envelope) -> FrameHeader:
+        """Sequence number and stamp; raises a FrameRejectedError where they are missing or malformed."""
+
+    def points(self, envelope: Envelope) -> Float32[np.ndarray, "points 3"]:
+        """Points in metres; raises a FrameRejectedError where the payload is malformed."""
+
+
+@dataclass(frozen=True)
+class PackedCloudCodec:
+    """N×3 numbers of one little-endian type, one point after the other."""
+
+    encoding: str
+    """Media type."""
+    dtype: np.dtype[np.float32] | np.dtype[np.int16]
+    """Type of one coordinate."""
+    metres_per_unit: float
+    """What one unit on the wire is worth."""
+    max_points: int
+    """Larger clouds are refused."""
+
+    def header(self, envelope: Envelope) -> FrameHeader:
+        """Sequence number and stamp from the attachment."""
+        return unpack_attachment(envelope.attachment)
+
+    def points(self, envelope: Envelope) -> Float32[np.ndarray, "points 3"]:
+        """Points in metres: a read-only view of the payload for metres in float32, otherwise one new array."""
+        payload = envelope.payload
+        bytes_per_point = 3 * self.dtype.itemsize
+        if not payload:
+            raise EmptyCloudError("the cloud has no points: send at least those around the object")
+        count, remainder = divmod(len(payload), bytes_per_point)
+        if remainder:
+            raise WrongByteCountError(
+                f"{len(payload)} bytes are no whole number of points: "
+                f"{self.encoding} takes {bytes_per_point} bytes a point"
+            )
+        if count > self.max_points:
+            raise TooManyPointsError(
+                f"the cloud has {count} points, the limit is {self.max_points}: crop or thin it out before sending"
+            )
+        points = np.frombuffer(payload, self.dtype).reshape(count, 3).astype(np.float32, copy=False)
+        if self.metres_per_unit != 1:
+            points *= np.float32(self.metres_per_unit)
+        check_coordinates(points)
+        return points
+
+
+def check_coordinates(points: Float32[np.ndarray, "points 3"]) -> None:
+    """Refuse what no camera can have seen.
+
+    Raises:
+        NotFiniteError: a coordinate is NaN or infinite.
+        CoordinatesOutOfRangeError: a coordinate is beyond `LARGEST_COORDINATE_M`.
+    """
+    lowest, highest = points.min(), points.max()  # both carry NaN through
+    if not (np.isfinite(lowest) and np.isfinite(highest)):
+        bad = int(np.count_nonzero(~np.isfinite(points).all(axis=1)))
+        raise NotFiniteError(f"{bad} of {len(points)} points hold NaN or infinity: leave invalid pixels out")
+    if max(-lowest, highest) > LARGEST_COORDINATE_M:
+        raise CoordinatesOutOfRangeError(
+            f"coordinates reach from {lowest:g} to {highest:g} m: clouds are in metres, in the camera frame"
+        )
+
+
+class Codecs:
+    """The encodings that one session reads."""
+
+    def __init__(self, codecs: tuple[CloudCodec, ...], max_payload_bytes: int) -> None:
+        self._codecs: Mapping[str, CloudCodec] = MappingProxyType({codec.encoding: codec for codec in codecs})
+        self._max_payload_bytes = max_payload_bytes
+
+    @property
+    def encodings(self) -> tuple[str, ...]:
+        """Media types, the preferred one first."""
+        return tuple(self._codecs)
+
+    def check_size(self, payload_bytes: int) -> None:
+        """Refuse a payload before it is copied.
+
+        Raises:
+            PayloadTooLargeError: it is over the limit.
+        """
+        if payload_bytes > self._max_payload_bytes:
+            raise PayloadTooLargeError(
+                f"the cloud has {payload_bytes} bytes or more, the limit is {self._max_payload_bytes}: "
+                "crop or thin it out before sending"
+            )
+
+    def find(self, encoding: str) -> CloudCodec:
+        """The strategy for an encoding; its parameters are ignored.
+
+        Raises:
+            UnknownEncodingError: with the encodings that are read.
+        """
+        media_type = encoding.partition(";")[0].strip().lower()
+        try:
+            return self._codecs[media_type]
+        except KeyError:
+            known = ", ".join(self._codecs)
+            raise UnknownEncodingError(f"this session does not read {encoding[:100]!r}: use one of {known}") from None
+
+
+def build_codecs(max_points: int, max_payload_bytes: int) -> Codecs:
+    """Both packed forms, as every session reads them."""
+    metres = PackedCloudCodec(CLOUD_F32, np.dtype("<f4"), 1.0, max_points)
+    tenths_mm = PackedCloudCodec(CLOUD_I16, np.dtype("<i2"), 1e-4, max_points)
+    return Codecs((metres, tenths_mm), max_payload_bytes)

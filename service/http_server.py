@@ -1,0 +1,53 @@
+"""The HTTP server: uvicorn on a socket of our own, stopped by us and not by signals it catches."""
+
+import contextlib
+import socket
+from collections.abc import Iterator
+
+import uvicorn
+from fastapi import FastAPI
+
+
+class PortInUseError(OSError):
+    """The REST server cannot listen; says what to do."""
+
+
+def bind(host: str, port: int) -> socket.socket:
+    """A listening socket, before anything else is started.
+
+    Raises:
+        PortInUseError: the port is taken, or the address is not one of this machine.
+    """
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    try:
+        return socket.create_server((host, port), family=family, backlog=2048)
+    except OSError as error:
+        raise PortInUseError(
+            f"cannot listen for HTTP on {host}:{port}: {error.strerror}. "
+            "Stop what uses the port, or choose another with CAPTRA_HTTP_PORT or CAPTRA_HTTP_HOST"
+        ) from error
+
+
+class HttpServer(uvicorn.Server):
+    """Serves an application until `stop` is called, from any thread or a signal handler."""
+
+    def __init__(self, app: FastAPI, shutdown_timeout_s: float) -> None:
+        super().__init__(
+            uvicorn.Config(
+                app,
+                lifespan="off",
+                log_config=None,
+                access_log=False,
+                server_header=False,
+                timeout_graceful_shutdown=max(1, round(shutdown_timeout_s)),
+            )
+        )
+
+    def stop(self) -> None:
+        """Finish the requests in hand, then return from `run`."""
+        self.should_exit = True
+
+    @contextlib.contextmanager
+    def capture_signals(self) -> Iterator[None]:
+        """Leave signals to the command."""
+        yield

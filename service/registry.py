@@ -1,0 +1,196 @@
+"""All open sessions of this process, and how they begin and end."""
+
+import logging
+import secrets
+import threading
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from captra.geometry import Pose
+from captra.health import State
+from service.codecs import Codecs
+from service.ledger import Ledger
+from service.liveness import CloseReason, Liveness
+from service.networks import NetworksProvider
+from service.readiness import STOPPING
+from service.rejections import NotReadyError, RejectedError, TooManySessionsError, UnknownSessionError
+from service.session import Session
+from service.store import SessionRecord, SessionStore, TrustedPose
+from service.telemetry import Telemetry
+from service.transport import Stream, Transport
+
+logger = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True)
+class NewSession:
+    """What a client asks for."""
+
+    category: str
+    """What is tracked."""
+    profile: str
+    """Sampling budget."""
+    frame_id: str
+    """Frame of clouds that name none."""
+    idle_timeout_s: float
+    """Closed after so long without a frame."""
+    pose: Pose
+    """Where the object is in the first cloud."""
+
+
+class Registry:
+    """Opens, finds and closes sessions; its methods may be called from any thread."""
+
+    def __init__(
+        self,
+        provider: NetworksProvider,
+        store: SessionStore,
+        transport: Transport,
+        telemetry: Telemetry,
+        codecs: Callable[[], Codecs],
+        *,
+        max_sessions: int,
+        client_grace_s: float,
+    ) -> None:
+        self._provider = provider
+        self._store = store
+        self._transport = transport
+        self._telemetry = telemetry
+        self._codecs = codecs
+        self._max_sessions = max_sessions
+        self._client_grace_s = client_grace_s
+        self._lock = threading.Lock()
+        self._open: dict[str, tuple[Session, Stream]] = {}
+        self._stopped = False
+
+    def open(self, new: NewSession) -> Session:
+        """Open a session.
+
+        Raises:
+            TooManySessionsError: the limit is reached.
+            NotReadyError: the service stops.
+            CategoryWithoutModelError: nothing tracks this category here.
+            ModelNotLoadableError: its networks cannot be loaded.
+        """
+        self._check_room()
+        record = SessionRecord(
+            session_id=secrets.token_hex(8),
+            category=new.category,
+            profile=new.profile,
+            frame_id=new.frame_id,
+            idle_timeout_s=new.idle_timeout_s,
+            created_ns=time.time_ns(),
+            trusted=TrustedPose(new.pose, None),
+        )
+        session = self._begin(record)
+        self._store.save(record)
+        logger.info("session opened", extra={"session_id": record.session_id, "category": record.category})
+        return session
+
+    def restore(self) -> None:
+        """Go on with every stored session, under its id and keys, from its last trusted pose."""
+        for record in self._store.load():
+            about = {"session_id": record.session_id, "category": record.category}
+            try:
+                self._begin(record)
+            except RejectedError as rejection:  # it stays stored: the next process may have its model
+                logger.error("session not restored: %s", rejection, extra=about)
+            else:
+                logger.info("session restored", extra=about)
+
+    def get(self, session_id: str) -> Session:
+        """A session by its id.
+
+        Raises:
+            UnknownSessionError: there is none.
+        """
+        return self._find(session_id)[0]
+
+    def sessions(self) -> Sequence[Session]:
+        """All sessions, oldest first."""
+        with self._lock:
+            return [session for session, _ in self._open.values()]
+
+    def count(self, state: State) -> int:
+        """How many sessions are in a state."""
+        return sum(session.last_result.state is state for session in self.sessions())
+
+    def close(self, session_id: str, reason: CloseReason) -> None:
+        """End a session: nothing more comes in, the frame in hand is finished, the client is told.
+
+        Raises:
+            UnknownSessionError: there is none.
+        """
+        with self._lock:
+            session, stream = self._find_locked(session_id)
+            del self._open[session_id]
+        self._end(session, stream, reason)
+        self._store.remove(session_id)
+
+    def sweep(self) -> None:
+        """End the sessions whose time is up."""
+        for session in self.sessions():
+            reason = session.liveness.expired()
+            if reason is not None:
+                try:
+                    self.close(session.session_id, reason)
+                except UnknownSessionError:
+                    continue  # someone else closed it first
+
+    def shut_down(self) -> None:
+        """End every session in this process; they stay stored, so that another can go on with them."""
+        with self._lock:
+            entries = list(self._open.values())
+            self._open.clear()
+            self._stopped = True
+        for session, stream in entries:
+            self._end(session, stream, CloseReason.SHUTDOWN)
+
+    def _begin(self, record: SessionRecord) -> Session:
+        engine = self._provider.get(record.category, record.profile)
+        session = Session(
+            record,
+            engine,
+            self._codecs(),
+            liveness=Liveness(record.idle_timeout_s, self._client_grace_s),
+            ledger=Ledger(self._telemetry),
+            store=self._store,
+        )
+        stream = self._transport.attach(session)
+        try:
+            with self._lock:
+                self._check_room()
+                self._open[record.session_id] = (session, stream)
+        except RejectedError:
+            stream.stop_receiving()
+            stream.close()
+            raise
+        return session
+
+    def _end(self, session: Session, stream: Stream, reason: CloseReason) -> None:
+        stream.stop_receiving()
+        session.close(reason)
+        stream.close()
+        logger.info("session closed", extra={"session_id": session.session_id, "reason": reason})
+
+    def _check_room(self) -> None:
+        if self._stopped:
+            raise NotReadyError(STOPPING)
+        if len(self._open) >= self._max_sessions:
+            raise TooManySessionsError(
+                f"{self._max_sessions} sessions are open, which is the limit: "
+                "DELETE one, wait until an idle one expires, or raise CAPTRA_MAX_SESSIONS"
+            )
+
+    def _find(self, session_id: str) -> tuple[Session, Stream]:
+        with self._lock:
+            return self._find_locked(session_id)
+
+    def _find_locked(self, session_id: str) -> tuple[Session, Stream]:
+        try:
+            return self._open[session_id]
+        except KeyError:
+            raise UnknownSessionError(
+                f"no session {session_id[:100]!r} is open: it was closed, it expired, or it never was; POST a new one"
+            ) from None

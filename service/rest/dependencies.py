@@ -1,0 +1,48 @@
+"""What routes share: the service, its worker threads, a session by its id."""
+
+from collections.abc import Callable
+from typing import Annotated, TypeVar
+
+import anyio
+from fastapi import Depends, Path, Request
+
+from service.session import Session
+from service.tracking_service import TrackingService
+
+Answer = TypeVar("Answer")
+
+
+def get_service(request: Request) -> TrackingService:
+    """The service that an application serves."""
+    service: TrackingService = request.app.state.service
+    return service
+
+
+Service = Annotated[TrackingService, Depends(get_service)]
+SessionId = Annotated[str, Path(description="As `POST /v1/sessions` answered.", max_length=100)]
+
+
+class Workers:
+    """Threads for work that takes more than a moment, so that the event loop stays free."""
+
+    def __init__(self, threads: int = 16) -> None:
+        self._limiter = anyio.CapacityLimiter(threads)
+
+    async def run(self, work: Callable[[], Answer]) -> Answer:
+        """The answer of `work`, done on a thread."""
+        return await anyio.to_thread.run_sync(work, limiter=self._limiter)
+
+
+def get_workers(request: Request) -> Workers:
+    """The threads of an application."""
+    workers: Workers = request.app.state.workers
+    return workers
+
+
+async def get_session(service: Service, session_id: SessionId) -> Session:
+    """An open session; raises UnknownSessionError."""
+    return service.registry.get(session_id)
+
+
+OnThread = Annotated[Workers, Depends(get_workers)]
+OpenSession = Annotated[Session, Depends(get_session)]

@@ -1,0 +1,59 @@
+"""Examples in the OpenAPI document."""
+
+from pydantic.config import JsonDict, JsonValue
+
+from service.codecs import CLOUD_F32, CLOUD_I16
+
+SESSION_ID = "9f2c1e07ab34d658"
+MUG_PART: JsonDict = {
+    "rotation": {"quat_xyzw": [0.0, 0.7071068, 0.0, 0.7071068]},
+    "translation": [0.02, -0.05, 0.61],
+    "size": [0.12, 0.09, 0.08],
+}
+MUG_RESULT: JsonDict = {
+    "session_id": SESSION_ID,
+    "seq": 7,
+    "stamp_ns": 1_700_000_000_033_000_000,
+    "frame_id": "camera_color_optical_frame",
+    "state": "tracking",
+    "confidence": 0.97,
+    "parts": [
+        {
+            "name": "mug",
+            "translation": [0.021, -0.049, 0.612],
+            "quat_xyzw": [0.0, 0.7071068, 0.0, 0.7071068],
+            "size": [0.118, 0.091, 0.08],
+        }
+    ],
+    "joints": [],
+    "timing_ms": {"queue": 0.2, "sample": 3.1, "infer": 21.4, "solve": 0.9, "total": 26.0},
+}
+STREAM_KEYS: JsonDict = {
+    "cloud": f"captra/default/sessions/{SESSION_ID}/cloud",
+    "pose": f"captra/default/sessions/{SESSION_ID}/pose",
+    "event": f"captra/default/sessions/{SESSION_ID}/event",
+    "endpoints": ["tcp/127.0.0.1:7447"],
+}
+ENCODINGS: list[JsonValue] = [CLOUD_F32, CLOUD_I16]
+OPENED: JsonDict = {
+    "session_id": SESSION_ID,
+    "category": "mug",
+    "state": "tracking",
+    "expires_after_s": 300.0,
+    "encodings": ENCODINGS,
+    "zenoh": STREAM_KEYS,
+}
+SESSION: JsonDict = OPENED | {
+    "profile": "realtime",
+    "frame_id": "camera_color_optical_frame",
+    "idle_timeout_s": 300.0,
+    "created_ns": 1_700_000_000_000_000_000,
+    "counters": {
+        "received": 9,
+        "processed": 8,
+        "dropped": 0,
+        "rejected": 1,
+        "rejected_by_reason": {"empty-cloud": 1},
+    },
+    "last_result": MUG_RESULT,
+}

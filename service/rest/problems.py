@@ -1,0 +1,140 @@
+"""Errors as problem+json (RFC 9457): every refusal, and everything that the framework refuses by itself."""
+
+from collections.abc import Mapping
+from http import HTTPStatus
+from typing import Any
+
+import orjson
+from fastapi import FastAPI, Request, Response
+from fastapi.exceptions import RequestValidationError
+from pydantic import BaseModel, ConfigDict, Field
+from starlette.exceptions import HTTPException
+
+from service.rejections import (
+    FrameRejectedError,
+    InternalError,
+    InvalidRequestError,
+    MethodNotAllowedError,
+    NotFoundError,
+    RejectedError,
+)
+
+MEDIA_TYPE = "application/problem+json"
+TYPE_PREFIX = "urn:captra:problem:"
+
+
+class FieldError(BaseModel):
+    """One thing that is wrong with a request."""
+
+    pointer: str = Field(description="Where: a JSON pointer into the request, e.g. `/body/parts/0/size`.")
+    detail: str = Field(description="What is wrong there.")
+
+
+class Problem(BaseModel):
+    """An error, as RFC 9457 describes it."""
+
+    model_config = ConfigDict(
+        json_schema_extra={
+            "examples": [
+                {
+                    "type": "urn:captra:problem:unknown-session",
+                    "title": "Unknown session",
+                    "status": 404,
+                    "detail": "no session 'f00' is open: it was closed, it expired, or it never was; POST a new one",
+                    "instance": "/v1/sessions/f00",
+                    "reason": "unknown-session",
+                }
+            ]
+        }
+    )
+
+    type: str = Field(description="`urn:captra:problem:` and the reason.")
+    title: str = Field(description="The kind of problem, for people.")
+    status: int = Field(description="HTTP status.")
+    detail: str = Field(description="What is wrong this time, and what to do next.")
+    instance: str = Field(description="Path of the request.")
+    reason: str = Field(description="The kind of problem, for programs; the same word as in events and metrics.")
+    errors: list[FieldError] | None = Field(
+        default=None, description="For a request that is not valid: each thing wrong."
+    )
+
+
+def documented(*kinds: type[RejectedError]) -> dict[int | str, dict[str, Any]]:
+    """Entries for the `responses` of a route: each status once, with an example of each reason."""
+    responses: dict[int | str, dict[str, Any]] = {}
+    every: set[type[RejectedError]] = {*kinds, InternalError}
+    for kind in sorted(every, key=lambda kind: (kind.status, kind.reason)):
+        entry = responses.setdefault(kind.status, {"description": "", "content": {MEDIA_TYPE: _content()}})
+        example = {"summary": kind.title, "value": _members(kind, "what is wrong, and what to do next", "/v1/…")}
+        entry["content"][MEDIA_TYPE]["examples"][kind.reason] = example
+        reasons = entry["content"][MEDIA_TYPE]["examples"]
+        entry["description"] = "Refused: " + ", ".join(f"`{reason}`" for reason in reasons)
+    return responses
+
+
+def install(app: FastAPI) -> None:
+    """Answer every error of an application with problem+json."""
+    app.add_exception_handler(RejectedError, _refused)
+    app.add_exception_handler(RequestValidationError, _invalid)
+    app.add_exception_handler(HTTPException, _http_error)
+    app.add_exception_handler(Exception, _defect)
+
+
+def _content() -> dict[str, Any]:
+    return {"schema": {"$ref": "#/components/schemas/Problem"}, "examples": {}}
+
+
+def _members(kind: type[RejectedError] | RejectedError, detail: str, instance: str) -> dict[str, Any]:
+    return {
+        "type": TYPE_PREFIX + kind.reason,
+        "title": kind.title,
+        "status": kind.status,
+        "detail": detail,
+        "instance": instance,
+        "reason": kind.reason,
+    }
+
+
+def _answer(
+    request: Request, rejection: RejectedError, headers: Mapping[str, str] | None = None, **members: Any
+) -> Response:
+    if not isinstance(rejection, FrameRejectedError):  # frames are counted where they are refused
+        request.app.state.service.telemetry.request_rejected(rejection.reason)
+    body = _members(rejection, rejection.detail, request.url.path) | members
+    status = int(body["status"])
+    return Response(orjson.dumps(body), status, media_type=MEDIA_TYPE, headers=dict(headers or {}))
+
+
+async def _refused(request: Request, error: Exception) -> Response:
+    assert isinstance(error, RejectedError)
+    return _answer(request, error)
+
+
+async def _invalid(request: Request, error: Exception) -> Response:
+    assert isinstance(error, RequestValidationError)
+    errors = [
+        {"pointer": "/" + "/".join(str(step) for step in entry["loc"]), "detail": str(entry["msg"])}
+        for entry in error.errors()
+    ]
+    first = f"{errors[0]['pointer']}: {errors[0]['detail']}" if errors else "see the OpenAPI document"
+    more = f" (and {len(errors) - 1} more)" if len(errors) > 1 else ""
+    return _answer(request, InvalidRequestError(first + more), errors=errors)
+
+
+async def _http_error(request: Request, error: Exception) -> Response:
+    assert isinstance(error, HTTPException)
+    path, method = request.url.path, request.method
+    match error.status_code:
+        case HTTPStatus.NOT_FOUND:
+            rejection: RejectedError = NotFoundError(f"{path} leads nowhere: GET /openapi.json lists every path")
+        case HTTPStatus.METHOD_NOT_ALLOWED:
+            allowed = (error.headers or {}).get("Allow", "another method")
+            rejection = MethodNotAllowedError(f"{path} cannot be reached with {method}: use {allowed}")
+        case _:
+            rejection = InvalidRequestError(str(error.detail))
+            return _answer(request, rejection, error.headers, status=error.status_code)
+    return _answer(request, rejection, error.headers)
+
+
+async def _defect(request: Request, error: Exception) -> Response:  # noqa: ARG001 - the log has it
+    return _answer(request, InternalError("the service failed on this request; its log tells why"))

@@ -1,0 +1,50 @@
+"""Sessions as the REST API shows them."""
+
+from dataclasses import asdict
+
+from service.rest.outputs import Counters, OpenedSession, Result, SessionState, StreamKeys
+from service.session import Session
+from service.tracking_service import TrackingService
+
+WILDCARDS = ("0.0.0.0", "[::]")
+
+
+def opened(session: Session, service: TrackingService, host: str) -> OpenedSession:
+    """What a client needs to go on; `host` is the name by which it reached the service."""
+    return OpenedSession(
+        session_id=session.session_id,
+        category=session.category.name,
+        state=session.last_result.state,
+        expires_after_s=session.liveness.expires_after_s,
+        encodings=list(session.codecs.encodings),
+        zenoh=stream_keys(session, service, host),
+    )
+
+
+def state_of(session: Session, service: TrackingService, host: str) -> SessionState:
+    """A session as it is now."""
+    record, ledger = session.record, session.ledger
+    return SessionState(
+        **opened(session, service, host).model_dump(),
+        profile=record.profile,
+        frame_id=record.frame_id,
+        idle_timeout_s=record.idle_timeout_s,
+        created_ns=record.created_ns,
+        counters=Counters(**asdict(ledger.counts), rejected_by_reason=ledger.rejected_by_reason),
+        last_result=Result.model_validate_json(session.last_result.to_json()),
+    )
+
+
+def stream_keys(session: Session, service: TrackingService, host: str) -> StreamKeys:
+    """Where a session is reached by Zenoh."""
+    keys = service.transport.keys(session.session_id)
+    endpoints = [reachable(endpoint, host) for endpoint in service.transport.endpoints]
+    return StreamKeys(cloud=keys.cloud, pose=keys.pose, event=keys.event, endpoints=endpoints)
+
+
+def reachable(endpoint: str, host: str) -> str:
+    """An endpoint as a client reaches it: a router that listens everywhere is where the REST API is."""
+    bracketed = f"[{host}]" if ":" in host and not host.startswith("[") else host
+    for wildcard in WILDCARDS:
+        endpoint = endpoint.replace(f"/{wildcard}:", f"/{bracketed}:")
+    return endpoint

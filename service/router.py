@@ -1,0 +1,96 @@
+"""The embedded Zenoh router that sessions are reached by."""
+
+import json
+import logging
+from contextlib import ExitStack
+
+import zenoh
+
+from service.keys import ServiceKeys, SessionKeys
+from service.liveness import Liveness
+from service.session import Session
+from service.streams import SessionStream
+from service.transport import TransportError
+
+logger = logging.getLogger(__name__)
+
+
+def router_config(listen: tuple[str, ...], max_message_bytes: int) -> zenoh.Config:
+    """A router that listens where it is told and looks for nobody."""
+    config = zenoh.Config()
+    entries = {
+        "mode": "router",
+        "listen/endpoints": listen,
+        "scouting/multicast/enabled": False,
+        "scouting/gossip/enabled": False,
+        "scouting/delay": 0,  # nobody to wait for
+        "transport/link/rx/max_message_size": max_message_bytes,
+    }
+    for key, value in entries.items():
+        config.insert_json5(key, json.dumps(value))
+    return config
+
+
+class ZenohTransport:
+    """The service's Zenoh router; open it before sessions are attached, close it after they are gone."""
+
+    def __init__(
+        self, service: str, listen: tuple[str, ...], advertise: tuple[str, ...], max_payload_bytes: int
+    ) -> None:
+        self._keys = ServiceKeys(service)
+        self._listen = listen
+        self._endpoints = advertise or listen
+        self._max_message_bytes = (
+            4 * max_payload_bytes
+        )  # what is only somewhat too large gets a reason instead of silence
+        self._resources = ExitStack()
+        self._clients: dict[str, Liveness] = {}
+
+    @property
+    def endpoints(self) -> tuple[str, ...]:
+        """Where clients connect to."""
+        return self._endpoints
+
+    def keys(self, session_id: str) -> SessionKeys:
+        """Where a session is reached."""
+        return self._keys.session(session_id)
+
+    def open(self) -> None:
+        """Listen.
+
+        Raises:
+            TransportError: when an endpoint is in use or makes no sense.
+        """
+        try:
+            config = router_config(self._listen, self._max_message_bytes)
+            self._session = self._resources.enter_context(zenoh.open(config))
+        except zenoh.ZError as error:
+            raise TransportError(
+                f"cannot listen for Zenoh on {', '.join(self._listen)}: {error}. "
+                "Stop what uses the endpoint, or choose another with CAPTRA_ZENOH_LISTEN"
+            ) from error
+        liveliness = self._session.liveliness()
+        self._resources.enter_context(liveliness.declare_token(self._keys.alive))
+        self._resources.enter_context(
+            liveliness.declare_subscriber(self._keys.clients, self._client_changed, history=True)
+        )
+
+    def attach(self, session: Session) -> SessionStream:
+        """Connect a session."""
+        keys = self.keys(session.session_id)
+        self._clients[keys.client] = session.liveness
+        return SessionStream(self._session, keys, session, on_close=lambda: self._clients.pop(keys.client, None))
+
+    def close(self) -> None:
+        """Stop listening."""
+        self._resources.close()
+
+    def _client_changed(self, sample: zenoh.Sample) -> None:
+        liveness = self._clients.get(str(sample.key_expr))
+        if liveness is None:
+            return
+        if sample.kind == zenoh.SampleKind.PUT:
+            liveness.client_back()
+        else:
+            logger.info("client token gone", extra={"key": str(sample.key_expr)})
+            liveness.client_gone()

@@ -1,0 +1,60 @@
+"""One service process: from settings to a clean end."""
+
+import logging
+import signal
+from collections.abc import Callable
+from types import FrameType
+
+import zenoh
+
+from service.bundles import BundleNetworks
+from service.http_server import HttpServer, bind
+from service.logs import configure_logging
+from service.rest.app import create_app
+from service.router import ZenohTransport
+from service.settings import Settings
+from service.store import InMemorySessionStore
+from service.tracking_service import TrackingService
+
+logger = logging.getLogger(__name__)
+
+
+def build_service(settings: Settings) -> TrackingService:
+    """A service of the bundles in the models folder, reached by Zenoh, with sessions in memory."""
+    return TrackingService(
+        settings,
+        BundleNetworks(settings.models_dir, settings.profile, settings.provider, settings.threads),
+        InMemorySessionStore(),
+        ZenohTransport(settings.service, settings.zenoh_listen, settings.zenoh_advertise, settings.max_payload_bytes),
+    )
+
+
+def run(settings: Settings, build: Callable[[Settings], TrackingService] = build_service) -> None:
+    """Serve what `build` makes until SIGTERM or SIGINT, then finish what is in hand; call it on the main thread.
+
+    Raises:
+        PortInUseError: the REST API cannot listen.
+        TransportError: Zenoh cannot listen.
+    """
+    configure_logging(settings.log_level)
+    zenoh.init_log_from_env_or("error")
+    with bind(settings.http_host, settings.http_port) as listener, build(settings) as service:
+        server = HttpServer(create_app(service), settings.shutdown_timeout_s)
+        stop_on_signals(service, server)
+        host, port = listener.getsockname()[:2]
+        logger.info("serving", extra={"http": f"http://{host}:{port}", "zenoh": service.transport.endpoints})
+        server.run(sockets=[listener])
+
+
+def stop_on_signals(service: TrackingService, server: HttpServer) -> None:
+    """Stop gently on the first SIGTERM or SIGINT; a second one ends the process at once."""
+    signals = (signal.SIGTERM, signal.SIGINT)
+
+    def stop(number: int, frame: FrameType | None) -> None:  # noqa: ARG001 - signal handlers take both
+        service.readiness.stopping()
+        server.stop()
+        for each in signals:
+            signal.signal(each, signal.SIG_DFL)
+
+    for each in signals:
+        signal.signal(each, stop)

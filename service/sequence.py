@@ -1,0 +1,52 @@
+"""Order of the frames of one session: each newer than the last, gaps counted."""
+
+from service.rejections import RepeatedSeqError, StaleSeqError
+
+_REMEMBERED = 1024
+
+
+class Sequence:
+    """Knows the last frame processed; not thread-safe."""
+
+    def __init__(self, last: int | None = None) -> None:
+        self._last = last
+        self._rejected_since: set[int] = set()
+
+    @property
+    def last(self) -> int | None:
+        """Number of the last frame processed; none at the start and after a restart."""
+        return self._last
+
+    def check(self, seq: int) -> None:
+        """Refuse what is not newer than the last frame.
+
+        Raises:
+            RepeatedSeqError: the number of the last frame processed.
+            StaleSeqError: an older one.
+        """
+        if self._last is None or seq > self._last:
+            return
+        advice = "numbers rise by one a frame; to start over, PUT the pose"
+        if seq == self._last:
+            raise RepeatedSeqError(f"frame {seq} has been processed already: {advice}")
+        raise StaleSeqError(f"frame {seq} is older than {self._last}, the last one processed: {advice}")
+
+    def reject(self, seq: int) -> None:
+        """Remember that a frame arrived and was refused, so that it does not count as dropped."""
+        if (self._last is None or seq > self._last) and len(self._rejected_since) < _REMEMBERED:
+            self._rejected_since.add(seq)
+
+    def accept(self, seq: int) -> int:
+        """Note that a frame was processed; return how many between it and the last one never came to be."""
+        dropped = 0
+        if self._last is not None:
+            refused = sum(self._last < other < seq for other in self._rejected_since)
+            dropped = max(0, seq - self._last - 1 - refused)
+        self._last = seq
+        self._rejected_since.clear()
+        return dropped
+
+    def restart(self) -> None:
+        """Take any number next."""
+        self._last = None
+        self._rejected_since.clear()

@@ -1,0 +1,218 @@
+"""One tracked object: its tracker, its last result, and the rules by which frames reach it."""
+
+import logging
+import threading
+import time
+
+import numpy as np
+from jaxtyping import Float32
+
+from captra.categories import Category
+from captra.geometry import Pose
+from captra.health import State
+from captra.sampling import NoPointsError
+from service.codecs import Codecs
+from service.envelopes import Envelope, FrameHeader
+from service.ledger import Ledger
+from service.liveness import CloseReason, Liveness
+from service.networks import Engine
+from service.observer import NullObserver, Observer
+from service.rejections import InternalError, NoPointsNearObjectError, RejectedError, UnknownSessionError
+from service.reporter import Reporter
+from service.results import Event, EventKind, Result
+from service.sequence import Sequence
+from service.store import SessionRecord, SessionStore, TrustedPose
+
+logger = logging.getLogger(__name__)
+
+CLOSE_DETAILS = {
+    CloseReason.DELETED: "a client closed the session",
+    CloseReason.IDLE: "no frame came for as long as the session may be idle: open a new one",
+    CloseReason.CLIENT_GONE: "the client's liveliness token is gone: open a new session",
+    CloseReason.SHUTDOWN: "the service stops",
+}
+
+
+class Session:
+    """Frames in, results out, from any thread; frames, new poses and closing take turns."""
+
+    def __init__(
+        self,
+        record: SessionRecord,
+        engine: Engine,
+        codecs: Codecs,
+        *,
+        liveness: Liveness,
+        ledger: Ledger,
+        store: SessionStore,
+    ) -> None:
+        self.record = record
+        """Settings of the session, and the pose it started from."""
+        self.liveness = liveness
+        """When it ends by itself."""
+        self.ledger = ledger
+        """What became of its frames."""
+        self.codecs = codecs
+        """Encodings of clouds that it reads."""
+        self._category = engine.networks.category
+        self._reporter = Reporter(record, engine.networks.category)
+        self._store = store
+        self._tracker = engine.start(record.trusted.pose)
+        self._sequence = Sequence(record.trusted.seq)
+        self._observer: Observer = NullObserver()
+        self._closed = False
+        self._lock = threading.Lock()
+        self._last_result = self._reporter.given(record.trusted.pose)
+
+    @property
+    def session_id(self) -> str:
+        """Names the session in paths and keys."""
+        return self.record.session_id
+
+    @property
+    def category(self) -> Category:
+        """What is tracked."""
+        return self._category
+
+    @property
+    def last_result(self) -> Result:
+        """The newest result; before the first one, the pose that was given."""
+        return self._last_result
+
+    def observe(self, observer: Observer) -> None:
+        """Tell `observer` from now on."""
+        with self._lock:
+            self._observer = observer
+
+    def process(self, envelope: Envelope) -> Result:
+        """Track the object in one more cloud.
+
+        Raises:
+            FrameRejectedError: the cloud cannot be used; the session stays as it was, and its observer knows why.
+            UnknownSessionError: the session is closed.
+        """
+        self._arrived()
+        started_s = time.perf_counter()
+        header: FrameHeader | None = None
+        try:
+            codec = self.codecs.find(envelope.encoding)
+            header = codec.header(envelope)
+            points = codec.points(envelope)
+            decoded_s = time.perf_counter()
+            with self._lock:
+                waited_s = (started_s - envelope.arrived_s) + (time.perf_counter() - decoded_s)
+                self.ledger.spent(decode=1e3 * (decoded_s - started_s))
+                return self._step(header, points, envelope.arrived_s, waited_s)
+        except UnknownSessionError:
+            raise
+        except RejectedError as rejection:
+            self._reject(rejection, header)
+            raise
+        except Exception as error:
+            logger.exception("a frame met a defect", extra={"session_id": self.session_id})
+            defect = InternalError("the service failed on this frame and its log tells why; send the next one")
+            self._reject(defect, header)
+            raise defect from error
+
+    def refuse(self, rejection: RejectedError) -> None:
+        """Count and tell of a frame that is refused before it was read."""
+        self._arrived()
+        self._reject(rejection, None)
+
+    def reset(self, pose: Pose) -> Result:
+        """Start again from a pose that a client gives; frames may be numbered anew.
+
+        Raises:
+            UnknownSessionError: the session is closed.
+        """
+        with self._lock:
+            self._check_open()
+            self.liveness.touch()
+            self._tracker.reset(pose)
+            self._sequence.restart()
+            self._store.trust(self.session_id, TrustedPose(pose, None))
+            previous, self._last_result = self._last_result.state, self._reporter.given(pose)
+            self._tell(EventKind.RESET, previous)
+            return self._last_result
+
+    def refuse_pose(self, rejection: RejectedError) -> None:
+        """Tell of a pose that cannot be started from."""
+        with self._lock:
+            self._tell(
+                EventKind.POSE_REJECTED, self._last_result.state, reason=rejection.reason, detail=rejection.detail
+            )
+
+    def close(self, reason: CloseReason) -> None:
+        """Finish the frame in hand and take no more."""
+        with self._lock:
+            self._tell(EventKind.CLOSING, self._last_result.state, reason=reason, detail=CLOSE_DETAILS[reason])
+            self._closed = True
+
+    def _arrived(self) -> None:
+        self.liveness.touch()
+        self.ledger.received()
+
+    def _check_open(self) -> None:
+        if self._closed:
+            raise UnknownSessionError(f"session {self.session_id} is closed: open a new one")
+
+    def _step(
+        self, header: FrameHeader, points: Float32[np.ndarray, "points 3"], arrived_s: float, waited_s: float
+    ) -> Result:
+        self._check_open()
+        self._sequence.check(header.seq)
+        try:
+            tracked = self._tracker.step(points)
+        except NoPointsError as error:
+            raise NoPointsNearObjectError(str(error)) from error
+        dropped = self._sequence.accept(header.seq)
+        result = self._reporter.tracked(tracked, header, 1e3 * waited_s, 1e3 * (time.perf_counter() - arrived_s))
+        if tracked.state is State.TRACKING:
+            self._store.trust(self.session_id, TrustedPose(tracked.pose, header.seq))
+        previous, self._last_result = self._last_result.state, result
+        self.ledger.processed(result.confidence, dropped)
+        self._publish(result, previous)
+        return result
+
+    def _publish(self, result: Result, previous: State) -> None:
+        started_s = time.perf_counter()
+        self._observer.result(result)
+        timing = result.timing_ms
+        self.ledger.spent(
+            queue=timing.queue,
+            sample=timing.sample,
+            infer=timing.infer,
+            solve=timing.solve,
+            publish=1e3 * (time.perf_counter() - started_s),
+            total=timing.total,
+        )
+        if result.state is not previous:
+            logger.info("state changed", extra={"session_id": self.session_id, "from": previous, "to": result.state})
+            self._tell(EventKind.STATE, previous, seq=result.seq, stamp_ns=result.stamp_ns)
+
+    def _reject(self, rejection: RejectedError, header: FrameHeader | None) -> None:
+        with self._lock:
+            if self._closed:
+                return
+            self.ledger.rejected(rejection.reason)
+            seq, stamp_ns = (None, None) if header is None else (header.seq, header.stamp_ns)
+            if seq is not None:
+                self._sequence.reject(seq)
+            logger.debug("frame rejected", extra={"session_id": self.session_id, "reason": rejection.reason})
+            state = self._last_result.state
+            self._tell(
+                EventKind.REJECTED, state, seq=seq, stamp_ns=stamp_ns, reason=rejection.reason, detail=rejection.detail
+            )
+
+    def _tell(
+        self,
+        kind: EventKind,
+        previous: State,
+        *,
+        seq: int | None = None,
+        stamp_ns: int | None = None,
+        reason: str | None = None,
+        detail: str | None = None,
+    ) -> None:
+        state = self._last_result.state
+        self._observer.event(Event(kind, self.session_id, state, previous, seq, stamp_ns, reason, detail))

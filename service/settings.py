@@ -1,0 +1,101 @@
+"""Settings of the service: `CAPTRA_*` variables over a TOML file over defaults that work."""
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, StringConstraints
+from pydantic_settings import BaseSettings, PydanticBaseSettingsSource, SettingsConfigDict, TomlConfigSettingsSource
+
+CONFIG_VARIABLE = "CAPTRA_CONFIG"
+"""Names the TOML file whose keys are the field names below."""
+
+ProfileName = Literal["realtime", "paper"]
+KeyChunk = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9_]+(-[A-Za-z0-9_]+)*$", max_length=64)]
+
+
+class MissingConfigError(FileNotFoundError):
+    """The file of settings does not exist."""
+
+
+class Settings(BaseSettings):
+    """Everything an operator can choose."""
+
+    model_config = SettingsConfigDict(env_prefix="CAPTRA_", extra="forbid", frozen=True, validate_default=True)
+
+    http_host: str = "127.0.0.1"
+    """Interface of the REST server."""
+    http_port: int = Field(default=8080, ge=0, le=65535)
+    """Port of the REST server; 0 takes a free one."""
+    zenoh_listen: tuple[str, ...] = Field(default=("tcp/127.0.0.1:7447",), min_length=1)
+    """Endpoints of the embedded Zenoh router."""
+    zenoh_advertise: tuple[str, ...] = ()
+    """Endpoints told to clients, where they differ from those listened on (behind NAT or a port mapping)."""
+    service: KeyChunk = "default"
+    """Name of this deployment in every Zenoh key; another process that takes the deployment over keeps it."""
+    models_dir: Path = Path(__file__).resolve().parent.parent / "models"
+    """Folder of model bundles, one a category."""
+    state_dir: Path = Field(default_factory=lambda: Path.home() / ".local" / "state" / "captra")
+    """Folder for state that outlives the process. Sessions live in memory so far: nothing is written to it yet."""
+    profile: ProfileName = "realtime"
+    """Sampling budget of sessions that name none."""
+    provider: str = "auto"
+    """Execution provider of ONNX Runtime; `auto` takes the best that is installed."""
+    threads: int | None = Field(default=None, ge=1)
+    """Threads of one network run; by default what the container's quota allows."""
+    max_sessions: int = Field(default=64, ge=1)
+    """Sessions open at the same time."""
+    max_points: int = Field(default=1_000_000, ge=1)
+    """Points of one cloud."""
+    max_payload_bytes: int = Field(default=16 * 2**20, ge=1)
+    """Size of one cloud, by Zenoh or as the body of a frame by HTTP."""
+    max_body_bytes: int = Field(default=2**20, ge=1)
+    """Size of any other HTTP body."""
+    idle_timeout_s: float = Field(default=300.0, gt=0, allow_inf_nan=False)
+    """A session that gets no frame for so long is closed; sessions may ask for another value."""
+    max_idle_timeout_s: float = Field(default=86_400.0, gt=0, allow_inf_nan=False)
+    """The longest idle time a session may ask for."""
+    client_grace_s: float = Field(default=10.0, ge=0, allow_inf_nan=False)
+    """How long a session outlives the liveliness token of its client."""
+    shutdown_timeout_s: float = Field(default=3.0, gt=0, allow_inf_nan=False)
+    """How long requests and frames in hand may take to finish when the service stops."""
+    log_level: Literal["debug", "info", "warning", "error"] = "info"
+    """Least severe log entries that are written."""
+
+    @classmethod
+    def settings_customise_sources(
+        cls,
+        settings_cls: type[BaseSettings],
+        init_settings: PydanticBaseSettingsSource,
+        env_settings: PydanticBaseSettingsSource,
+        dotenv_settings: PydanticBaseSettingsSource,  # noqa: ARG003 - pydantic names it
+        file_secret_settings: PydanticBaseSettingsSource,  # noqa: ARG003 - pydantic names it
+    ) -> tuple[PydanticBaseSettingsSource, ...]:
+        """Arguments win over the environment, which wins over the file.
+
+        Raises:
+            MissingConfigError: when the file does not exist.
+        """
+        sources: tuple[PydanticBaseSettingsSource, ...] = (init_settings, env_settings)
+        config = settings_cls.model_config.get("toml_file") or os.environ.get(CONFIG_VARIABLE)
+        if not config:
+            return sources
+        if not Path(str(config)).is_file():
+            raise MissingConfigError(f"there is no settings file {config}: correct --config or {CONFIG_VARIABLE}")
+        return (*sources, TomlConfigSettingsSource(settings_cls, Path(str(config))))
+
+
+def load_settings(config: Path | None, chosen: Mapping[str, Any]) -> Settings:
+    """The settings of a process: what was chosen on its command line, then variables, then the file.
+
+    Raises:
+        MissingConfigError: the file does not exist.
+        pydantic.ValidationError: a value is not valid.
+        pydantic_settings.SettingsError: a value is no JSON where JSON is needed.
+    """
+
+    class Configured(Settings):
+        model_config = SettingsConfigDict(toml_file=config)
+
+    return Configured(**chosen)

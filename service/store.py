@@ -1,0 +1,90 @@
+"""What must outlive a process: the settings of each session and its last trusted pose, behind one small interface."""
+
+import threading
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Protocol
+
+from captra.geometry import Pose
+
+
+@dataclass(frozen=True)
+class TrustedPose:
+    """Where to go on from."""
+
+    pose: Pose
+    """All parts, in the frame of the clouds."""
+    seq: int | None
+    """Frame it came from; none for a pose that a client gave."""
+
+
+@dataclass(frozen=True)
+class SessionRecord:
+    """All that is needed to go on with a session anywhere."""
+
+    session_id: str
+    """Part of its keys."""
+    category: str
+    """What is tracked."""
+    profile: str
+    """With which sampling budget."""
+    frame_id: str
+    """Frame of clouds that name none."""
+    idle_timeout_s: float
+    """Closed after so long without a frame."""
+    created_ns: int
+    """When it was opened, nanoseconds since 1970."""
+    trusted: TrustedPose
+    """The last pose worth going on from."""
+
+
+class SessionStore(Protocol):
+    """Keeps records of open sessions; every method may be called from any thread and returns quickly."""
+
+    def save(self, record: SessionRecord) -> None:
+        """Add or replace a session."""
+
+    def trust(self, session_id: str, trusted: TrustedPose) -> None:
+        """Remember a session's last trusted pose; nothing happens for a session that is not kept."""
+
+    def remove(self, session_id: str) -> None:
+        """Forget a session, if it is kept."""
+
+    def load(self) -> Sequence[SessionRecord]:
+        """Every session, oldest first."""
+
+    def close(self) -> None:
+        """Let go of whatever the store holds."""
+
+
+class InMemorySessionStore:
+    """Keeps sessions as long as the process lives."""
+
+    def __init__(self) -> None:
+        self._records: dict[str, SessionRecord] = {}
+        self._lock = threading.Lock()
+
+    def save(self, record: SessionRecord) -> None:
+        """Add or replace a session."""
+        with self._lock:
+            self._records[record.session_id] = record
+
+    def trust(self, session_id: str, trusted: TrustedPose) -> None:
+        """Remember a session's last trusted pose."""
+        with self._lock:
+            record = self._records.get(session_id)
+            if record is not None:
+                self._records[session_id] = replace(record, trusted=trusted)
+
+    def remove(self, session_id: str) -> None:
+        """Forget a session."""
+        with self._lock:
+            self._records.pop(session_id, None)
+
+    def load(self) -> Sequence[SessionRecord]:
+        """Every session, oldest first."""
+        with self._lock:
+            return sorted(self._records.values(), key=lambda record: record.created_ns)
+
+    def close(self) -> None:
+        """Nothing is held."""

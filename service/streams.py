@@ -1,0 +1,125 @@
+"""One session on Zenoh: the newest cloud in, results and events out."""
+
+import logging
+import threading
+import time
+from collections.abc import Callable
+from contextlib import ExitStack
+
+import zenoh
+from zenoh import ext
+
+from service.envelopes import Envelope
+from service.keys import SessionKeys
+from service.rejections import RejectedError, UnknownSessionError
+from service.results import Event, Result
+from service.session import Session
+
+logger = logging.getLogger(__name__)
+
+
+def declare_poses(zenoh_session: zenoh.Session, key: str) -> ext.AdvancedPublisher:
+    """Results: sent at once, never waited for, the last one kept for those who subscribe later."""
+    return ext.declare_advanced_publisher(
+        zenoh_session,
+        key,
+        encoding=zenoh.Encoding.APPLICATION_JSON,
+        reliability=zenoh.Reliability.RELIABLE,
+        congestion_control=zenoh.CongestionControl.DROP,
+        priority=zenoh.Priority.INTERACTIVE_HIGH,
+        express=True,
+        cache=ext.CacheConfig(1),
+        publisher_detection=True,
+    )
+
+
+def declare_events(zenoh_session: zenoh.Session, key: str) -> zenoh.Publisher:
+    """Events: rare, and never dropped."""
+    return zenoh_session.declare_publisher(
+        key,
+        encoding=zenoh.Encoding.APPLICATION_JSON,
+        reliability=zenoh.Reliability.RELIABLE,
+        congestion_control=zenoh.CongestionControl.BLOCK,
+        priority=zenoh.Priority.INTERACTIVE_HIGH,
+    )
+
+
+class SessionStream:
+    """Observes a session and feeds it: a thread of its own takes the newest cloud whenever the last one is done."""
+
+    def __init__(
+        self, zenoh_session: zenoh.Session, keys: SessionKeys, session: Session, on_close: Callable[[], object]
+    ) -> None:
+        self._session = session
+        self._router_id = str(zenoh_session.zid())
+        with ExitStack() as resources:
+            resources.callback(on_close)
+            self._poses = resources.enter_context(declare_poses(zenoh_session, keys.pose))
+            self._events = resources.enter_context(declare_events(zenoh_session, keys.event))
+            resources.enter_context(zenoh_session.liveliness().declare_token(keys.alive))
+            session.observe(self)
+            self._clouds = zenoh_session.declare_subscriber(keys.cloud, zenoh.handlers.RingChannel(1))
+            self._thread = threading.Thread(target=self._run, name=f"captra-stream-{session.session_id}", daemon=True)
+            self._thread.start()
+            self._resources = resources.pop_all()
+
+    def result(self, result: Result) -> None:
+        """Put a result."""
+        self._put(self._poses, result)
+
+    def event(self, event: Event) -> None:
+        """Put an event."""
+        self._put(self._events, event)
+
+    def stop_receiving(self) -> None:
+        """Take no more clouds, and finish the one in hand."""
+        self._clouds.undeclare()
+        self._thread.join()
+
+    def close(self) -> None:
+        """Withdraw the keys."""
+        self._resources.close()
+
+    def _put(self, publisher: zenoh.Publisher | ext.AdvancedPublisher, message: Result | Event) -> None:
+        try:
+            publisher.put(message.to_json())
+        except zenoh.ZError:  # the frame itself is done; a network that is gone must not undo it
+            logger.exception("could not publish", extra={"session_id": message.session_id})
+
+    def _run(self) -> None:
+        # The subscriber itself cannot be undeclared while a thread waits in its recv; its handler's recv then ends.
+        handler = self._clouds.handler
+        while True:
+            try:
+                sample = handler.recv()
+            except zenoh.ZError:
+                return
+            if sample.kind == zenoh.SampleKind.PUT:
+                self._take(sample)
+
+    def _take(self, sample: zenoh.Sample) -> None:
+        try:
+            self._session.codecs.check_size(len(sample.payload))
+        except RejectedError as rejection:
+            self._session.refuse(rejection)
+            return
+        attachment = sample.attachment
+        envelope = Envelope(
+            encoding=str(sample.encoding),
+            payload=sample.payload.to_bytes(),
+            attachment=None if attachment is None else attachment.to_bytes(),
+            arrived_s=self._arrival_s(sample),
+        )
+        try:
+            self._session.process(envelope)
+        except UnknownSessionError:
+            logger.debug("cloud for a closed session", extra={"session_id": self._session.session_id})
+        except RejectedError:
+            pass  # counted, and told as an event
+
+    def _arrival_s(self, sample: zenoh.Sample) -> float:
+        """When a sample reached the router, on the clock of `time.perf_counter`; now, where someone else stamped it."""
+        now_s, stamp = time.perf_counter(), sample.timestamp
+        if stamp is None or str(stamp.get_id()) != self._router_id:
+            return now_s
+        return now_s - max(0.0, time.time() - stamp.get_time().timestamp())

@@ -1,0 +1,92 @@
+"""The service without its HTTP face: everything wired together, started and stopped in order."""
+
+import logging
+import threading
+from types import TracebackType
+from typing import Self
+
+from service.codecs import build_codecs
+from service.networks import NetworksProvider, NoModelError
+from service.readiness import Readiness
+from service.registry import Registry
+from service.settings import Settings
+from service.store import SessionStore
+from service.sweeper import Sweeper
+from service.telemetry import Telemetry
+from service.transport import Transport
+
+logger = logging.getLogger(__name__)
+
+
+class TrackingService:
+    """Use it as a context manager: sessions are served inside, and all is closed in order at the end."""
+
+    def __init__(
+        self, settings: Settings, provider: NetworksProvider, store: SessionStore, transport: Transport
+    ) -> None:
+        self.settings = settings
+        """What the operator chose."""
+        self.provider = provider
+        """Where networks come from."""
+        self.transport = transport
+        """How sessions are reached by Zenoh."""
+        self.telemetry = Telemetry()
+        """Metrics."""
+        self.registry = Registry(
+            provider,
+            store,
+            transport,
+            self.telemetry,
+            lambda: build_codecs(settings.max_points, settings.max_payload_bytes),
+            max_sessions=settings.max_sessions,
+            client_grace_s=settings.client_grace_s,
+        )
+        """Open sessions."""
+        self._store = store
+        self._sweeper = Sweeper(self.registry.sweep)
+        self._preparing = threading.Thread(target=self._prepare, name="captra-prepare", daemon=True)
+        self.readiness = Readiness()
+        """Whether tracking can start at once."""
+        self.telemetry.watch(self.registry.count, lambda: self.readiness.is_ready)
+
+    def start(self) -> None:
+        """Listen, and load models in the background.
+
+        Raises:
+            TransportError: when an endpoint cannot be listened on.
+        """
+        self.transport.open()
+        self._sweeper.start()
+        self._preparing.start()
+
+    def stop(self) -> None:
+        """Finish frames in hand, tell clients, withdraw every key, close."""
+        self.readiness.stopping()
+        self._sweeper.stop()
+        self.registry.shut_down()
+        self.transport.close()
+        self._store.close()
+        logger.info("stopped")
+
+    def __enter__(self) -> Self:
+        self.start()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.stop()
+
+    def _prepare(self) -> None:
+        try:
+            self.provider.prepare()
+            self.registry.restore()
+        except NoModelError as error:
+            logger.error("not ready: %s", error)
+            self.readiness.prepared(str(error))
+        except Exception as error:
+            logger.exception("not ready: preparation failed")
+            self.readiness.prepared(f"preparation failed ({error}): see the log, then restart the service")
+        else:
+            logger.info("ready")
+            self.readiness.prepared()

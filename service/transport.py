@@ -1,0 +1,40 @@
+"""How sessions are reached other than by HTTP."""
+
+from typing import Protocol
+
+from service.keys import SessionKeys
+from service.session import Session
+
+
+class Stream(Protocol):
+    """One session's connection."""
+
+    def stop_receiving(self) -> None:
+        """Take no more clouds, and finish the one in hand."""
+
+    def close(self) -> None:
+        """Withdraw what was declared; nothing can be told afterwards."""
+
+
+class Transport(Protocol):
+    """Connects sessions with their clients."""
+
+    @property
+    def endpoints(self) -> tuple[str, ...]:
+        """Where clients connect to."""
+
+    def open(self) -> None:
+        """Start listening; raises TransportError when that is impossible."""
+
+    def keys(self, session_id: str) -> SessionKeys:
+        """Where a session is reached."""
+
+    def attach(self, session: Session) -> Stream:
+        """Connect a session."""
+
+    def close(self) -> None:
+        """Stop listening, after all streams are closed."""
+
+
+class TransportError(RuntimeError):
+    """The transport cannot listen; says what to do."""

@@ -1,0 +1,28 @@
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from captra.geometry import Pose
+from tests.clients.fake_service import FakeService
+from tests.made_up import write_bundle
+
+
+@pytest.fixture
+def fake() -> Iterator[FakeService]:
+    with FakeService() as service:
+        yield service
+
+
+@pytest.fixture
+def first_pose() -> Pose:
+    return Pose.from_size(np.eye(3)[None], np.array([[0.1, 0.2, 0.9]]), np.array([[0.12, 0.09, 0.08]]))
+
+
+@pytest.fixture(scope="session")
+def untrained_models(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A models folder with a mug bundle whose networks have never been trained."""
+    folder = tmp_path_factory.mktemp("models")
+    write_bundle("mug", folder / "mug")
+    return folder

@@ -1,0 +1,142 @@
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+import typer
+from typer.testing import CliRunner
+
+from captra.runtime.bundle import load_manifest, verify
+from captra.sampling import InputSampling
+from export.cli import export, step
+from tests import reference
+from tests.made_up import write_bundle, write_checkpoints
+
+APP = typer.Typer()
+APP.command("export")(export)
+APP.command("step")(step)
+
+
+def run(*arguments: object) -> tuple[int, str]:
+    result = CliRunner().invoke(APP, [str(argument) for argument in arguments])
+    return result.exit_code, result.output
+
+
+def export_to(out: Path, checkpoints: tuple[Path, Path], category: str, *more: object) -> tuple[int, str]:
+    coordinate, rotation = checkpoints
+    return run(
+        "export", "--coordinate", coordinate, "--rotation", rotation, "--category", category, "--out", out, *more
+    )
+
+
+@reference.needs_reference
+@pytest.mark.parametrize("category", reference.CATEGORIES)
+def test_the_authors_checkpoints_become_a_bundle_that_steps_like_them(category: str, tmp_path: Path) -> None:
+    checkpoints = reference.write_checkpoints(category, tmp_path)
+    status, output = export_to(tmp_path / "bundle", checkpoints, category, "--precision", "float32")
+    assert status == 0, output
+    assert "paper: differs" in output
+    assert "realtime: differs" in output
+    source = reference.REFERENCE / f"step_{category}.npz"
+    status, output = run("step", tmp_path / "bundle", source, tmp_path / "out.npz")
+    assert status == 0, output
+    with np.load(tmp_path / "out.npz") as stored:
+        answers = dict(stored)
+    expected = reference.step_of(category)
+    reference.assert_matches_reference(answers, expected)
+    parts = len(expected["last_scale"])
+    shapes = {name: answers[name].shape for name in answers}
+    assert shapes == {
+        "seg": expected["seg"].shape,
+        "coords": expected["coords"].shape,
+        "labels": expected["labels"].shape,
+        "delta_point_rotation": (parts, 4096, 3, 3),
+        "rotation": (parts, 3, 3),
+        "scale": (parts,),
+        "translation": (parts, 3),
+    }
+    manifest = load_manifest(tmp_path / "bundle")
+    assert manifest.training.data.startswith("the authors' released checkpoints")
+    assert manifest.rotation_input == "crop"
+    assert manifest.input_sampling == InputSampling()
+
+
+def test_our_checkpoints_become_a_bundle(tmp_path: Path) -> None:
+    training: dict[str, object] = {
+        "samples": 1200,
+        "seed": 3,
+        "commit": "abc123",
+        "data": "made-up mugs",
+        "input_sampling": {"surroundings_weight": 0.4, "margin": 0.1},
+        "meshes": [{"name": "cup", "license": "CC-BY-4.0", "attribution": "A. Nother"}],
+    }
+    notes = tmp_path / "notes.json"
+    notes.write_text(json.dumps({"scores": [{"command": "captra evaluate", "values": {"5°5cm %": 90.0}}]}))
+    out = tmp_path / "models" / "mug"
+    status, output = export_to(out, write_checkpoints("mug", tmp_path, training), "mug", "--notes", notes)
+    assert status == 0, output
+    manifest = load_manifest(out)
+    verify(out, manifest)
+    assert sorted(path.name for path in out.iterdir()) == ["coordinate.onnx", "manifest.json", "rotation.onnx"]
+    assert [path.name for path in out.parent.iterdir()] == ["mug"]
+    assert (manifest.precision, manifest.category, manifest.parts) == ("float16", "mug", ("mug",))
+    assert (manifest.training.steps, manifest.training.seed, manifest.training.commit) == (100, 3, "abc123")
+    assert manifest.training.meshes[0].attribution == "A. Nother"
+    assert manifest.input_sampling.surroundings_weight == 0.4
+    assert manifest.scores[0].values == {"5°5cm %": 90.0}
+
+
+def test_exporting_again_replaces_the_bundle(tmp_path: Path) -> None:
+    out = write_bundle("mug", tmp_path / "mug", "float32")
+    status, _ = export_to(out, write_checkpoints("mug", tmp_path), "mug")
+    assert status == 0
+    verify(out, load_manifest(out))
+    assert load_manifest(out).precision == "float16"
+
+
+@pytest.mark.parametrize(
+    ("category", "more", "message"),
+    [
+        ("bottle", [], "is not the RotationNet of bottle"),
+        ("teapot", [], "unknown category 'teapot'"),
+        ("mug", ["--precision", "int8"], "unknown precision 'int8'"),
+    ],
+)
+def test_errors_say_what_to_do_and_leave_nothing_behind(
+    category: str, more: list[str], message: str, tmp_path: Path
+) -> None:
+    status, output = export_to(tmp_path / "models" / "out", write_checkpoints("mug", tmp_path), category, *more)
+    assert status == 1
+    assert message in output
+    assert "Traceback" not in output
+    assert not list((tmp_path / "models").glob("*"))
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"last_scale": None}, "the input lacks last_scale"),
+        ({"last_scale": np.ones(2)}, "last_scale has shape (2,): the bundle's 1 part(s) need (1,)"),
+        ({"points": np.zeros((100, 3))}, "at least 512 rows"),
+    ],
+)
+def test_a_step_from_incomplete_arrays(change: dict[str, np.ndarray | None], message: str, tmp_path: Path) -> None:
+    arrays: dict[str, np.ndarray | None] = {
+        "points": np.zeros((4096, 3)),
+        "last_scale": np.ones(1),
+        "last_rotation": np.eye(3)[None],
+        "last_translation": np.zeros((1, 3)),
+    }
+    kept = {name: value for name, value in {**arrays, **change}.items() if value is not None}
+    np.savez(tmp_path / "in.npz", allow_pickle=False, **kept)
+    status, output = run("step", write_bundle("mug", tmp_path / "mug"), tmp_path / "in.npz", tmp_path / "out.npz")
+    assert status == 1
+    assert message in output.replace("\n", " ")
+    assert not (tmp_path / "out.npz").exists()
+
+
+@pytest.mark.parametrize("command", ["export", "step"])
+def test_help_has_an_example(command: str) -> None:
+    status, output = run(command, "--help")
+    assert status == 0
+    assert f"captra {command} " in output

@@ -1,0 +1,128 @@
+"""Sessions belong to the deployment, not to the process: another one goes on with them."""
+
+import threading
+import time
+from contextlib import ExitStack
+
+import httpx
+import pytest
+
+from service.liveness import CloseReason
+from service.rejections import NotReadyError
+from service.store import InMemorySessionStore
+from tests.service.support import (
+    Camera,
+    CentreProvider,
+    blob,
+    f32,
+    free_endpoint,
+    inbox,
+    late_inbox,
+    running,
+    session_body,
+    zenoh_client,
+)
+
+
+def test_next_process_goes_on_under_the_same_id_and_keys_from_the_last_trusted_pose() -> None:
+    store, endpoint = InMemorySessionStore(), free_endpoint()
+    with running("mug", store=store, endpoint=endpoint) as first:
+        opened = first.open_session(frame_id="wrist", idle_timeout_s=77)
+        for seq, x in enumerate((0.02, 0.04, 0.06)):
+            assert first.post_frame(opened["session_id"], f32(blob((x, 0, 0.5))), seq).status_code == 200
+        closed = first.open_session()["session_id"]
+        first.http.delete(f"/v1/sessions/{closed}")
+    with running("mug", store=store, endpoint=endpoint) as second, zenoh_client(endpoint) as network:
+        assert second.service.readiness.wait_prepared(30)
+        shown = second.session(opened["session_id"])
+        assert shown["zenoh"] == opened["zenoh"]
+        assert (shown["frame_id"], shown["idle_timeout_s"]) == ("wrist", 77)
+        assert shown["last_result"]["parts"][0]["translation"] == pytest.approx([0.06, 0, 0.5], abs=2e-3)
+        assert second.post_frame(opened["session_id"], f32(blob()), 2).json()["reason"] == "repeated-seq"
+        poses = inbox(network, opened["zenoh"]["pose"])
+        Camera(network, opened["zenoh"]["cloud"]).put(f32(blob((0.08, 0, 0.5))), 3)
+        assert poses.message(0)["parts"][0]["translation"] == pytest.approx([0.08, 0, 0.5], abs=2e-3)
+        assert second.http.get(f"/v1/sessions/{closed}").status_code == 404
+
+
+def test_untrusted_poses_are_not_gone_on_from() -> None:
+    store = InMemorySessionStore()
+    with running("mug", store=store) as first:
+        opened = first.open_session()
+        first.provider.networks["mug"].doubtful = True
+        result = first.post_frame(opened["session_id"], f32(blob((0.02, 0, 0.5))), 0).json()
+        assert result["state"] != "tracking"
+    trusted = store.load()[0].trusted
+    assert (trusted.seq, trusted.pose.translation[0].tolist()) == (None, [0, 0, 0.5])
+
+
+def test_session_whose_model_is_missing_stays_stored() -> None:
+    store = InMemorySessionStore()
+    with running("mug", store=store) as first:
+        session_id = first.open_session()["session_id"]
+    with running("bottle", store=store) as second:
+        assert second.service.readiness.wait_prepared(30)
+        second.service.readiness.check()
+        assert second.http.get(f"/v1/sessions/{session_id}").status_code == 404
+    assert [record.session_id for record in store.load()] == [session_id]
+
+
+def test_closed_and_expired_sessions_are_forgotten() -> None:
+    store = InMemorySessionStore()
+    with running("mug", store=store) as service:
+        service.http.delete(f"/v1/sessions/{service.open_session()['session_id']}")
+        expiring = service.open_session(idle_timeout_s=0.1)["session_id"]
+        deadline = time.monotonic() + 10
+        while any(record.session_id == expiring for record in store.load()):
+            assert time.monotonic() < deadline
+        assert store.load() == []
+
+
+def test_stopping_ends_quickly_while_clients_stream_and_listen() -> None:
+    with running("mug") as service, zenoh_client(service.endpoint) as network, ExitStack() as late_inboxes:
+        assert service.service.readiness.wait_prepared(30)
+        opened = [service.open_session() for _ in range(3)]
+        events = [inbox(network, each["zenoh"]["event"]) for each in opened]
+        late = late_inboxes.enter_context(late_inbox(network, opened[0]["zenoh"]["pose"]))
+        cameras = [Camera(network, each["zenoh"]["cloud"]) for each in opened]
+        stop = threading.Event()
+
+        def put() -> None:
+            seq = 0
+            while not stop.is_set():
+                for camera in cameras:
+                    camera.put(f32(blob()), seq)
+                seq += 1
+
+        putting = threading.Thread(target=put)
+        putting.start()
+        for each in opened:
+            inbox(network, each["zenoh"]["pose"]).message(5)
+        started_s = time.monotonic()
+        service.service.stop()
+        assert time.monotonic() - started_s < 3
+        assert not [thread for thread in threading.enumerate() if thread.name.startswith("captra-stream")]
+        assert [inbox.wait_for("closing")["reason"] for inbox in events] == ["shutdown"] * 3
+        stop.set()
+        putting.join()
+        assert len(late) > 0
+        with pytest.raises(NotReadyError):
+            service.service.readiness.check()
+
+
+def test_stopping_twice_is_harmless() -> None:
+    with running("mug") as service:
+        service.service.stop()
+        assert service.http.post("/v1/sessions", json={}).status_code == 422
+        with pytest.raises(httpx.HTTPStatusError, match="503"):
+            service.http.get("/v1/health/ready").raise_for_status()
+
+
+def test_sessions_cannot_be_opened_while_the_service_stops() -> None:
+    with running(provider=CentreProvider("mug")) as service:
+        service.service.registry.shut_down()
+        answer = service.http.post("/v1/sessions", json=session_body())
+        assert (answer.status_code, answer.json()["reason"]) == (503, "not-ready")
+        service.service.registry.sweep()
+        with pytest.raises(Exception, match="no session"):
+            service.service.registry.close("f00", CloseReason.DELETED)
