@@ -4,6 +4,7 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
 import numpy as np
+from jaxtyping import Float64
 
 
 class State(StrEnum):
@@ -52,30 +53,37 @@ class Evidence:
 
 @dataclass(frozen=True)
 class ConfidenceModel:
-    """Logistic regression on the evidence of the worst part."""
+    """Logistic regression on the evidence of the worst part; the fields' order is that of `features`."""
 
-    bias: float = 7.0
+    bias: float = 5.0
     """Logit of perfect evidence."""
-    residual: float = -45.0
+    residual: float = -30.0
     """Per unit of residual (fraction of the box diagonal)."""
-    disagreement: float = -8.0
+    outliers: float = -2.0
+    """Per fraction of the part's points that disagree with the fit."""
+    disagreement: float = -6.0
     """Per radian between the two rotations."""
     few_points: float = -4.0
     """When a part has no points at all; fades out towards fifty."""
     jump: float = -6.0
     """Per unit of motion: radians, scales and logarithms of scale added up."""
 
+    @staticmethod
+    def features(part: PartEvidence) -> Float64[np.ndarray, " features"]:
+        """What the model weighs, all of it bad news."""
+        jump = part.rotation_jump_rad + part.translation_jump + part.scale_jump
+        few = float(np.exp(-part.points / 50.0))
+        return np.array([part.residual, 1 - part.inliers, part.disagreement_rad, few, jump])
+
+    def probability(self, features: Float64[np.ndarray, " features"]) -> float:
+        """That a part with these features is within 5° and 5 cm."""
+        weights = (self.residual, self.outliers, self.disagreement, self.few_points, self.jump)
+        logit = self.bias + float(np.dot(weights, features))
+        return float(1.0 / (1.0 + np.exp(-np.clip(logit, -30.0, 30.0))))
+
     def __call__(self, evidence: Evidence) -> float:
-        """Probability that the pose is within 5° and 5 cm."""
-        logits = [
-            self.bias
-            + self.residual * part.residual
-            + self.disagreement * part.disagreement_rad
-            + self.few_points * float(np.exp(-part.points / 50.0))
-            + self.jump * (part.rotation_jump_rad + part.translation_jump + part.scale_jump)
-            for part in evidence.parts
-        ]
-        return float(1.0 / (1.0 + np.exp(-np.clip(min(logits), -30.0, 30.0))))
+        """Probability that the pose of every part is right: that of the worst one."""
+        return min(self.probability(self.features(part)) for part in evidence.parts)
 
 
 @dataclass(frozen=True)

@@ -88,6 +88,41 @@ def response(
             console.print(response_table(recording.name, test(networks, recording)))
 
 
+def calibrate(
+    category: Categories = None,
+    sequences: Annotated[int, typer.Option(help="Procedural validation sequences per category.")] = 6,
+    frames: Annotated[int, typer.Option(help="Frames of each.")] = 50,
+    models: Models = DEFAULT_MODELS,
+    profile: ProfileName = "realtime",
+    provider: Provider = "cpu",
+) -> None:
+    """Fit the confidence of a bundle on validation sequences and write it into the manifest.
+
+    Example: captra calibrate --category mug
+    """
+    from dataclasses import asdict, replace
+
+    from rich.console import Console
+
+    from captra.evaluation.calibration import auroc, confidences, fit, observe
+    from captra.evaluation.sequences import VALIDATION_SEED
+    from captra.evaluation.sequences import procedural as make
+    from captra.runtime.bundle import load_manifest, write_manifest
+
+    console = Console()
+    for name in category or _available(models):
+        networks = _load(models, name, profile, provider)
+        with console.status(f"{name}: tracking {sequences} sequences from three starts each"):
+            observations = observe(networks, make(name, sequences, frames, VALIDATION_SEED))
+        model = fit(observations)
+        write_manifest(models / name, replace(load_manifest(models / name), health=asdict(model)))
+        found = auroc(confidences(model, observations), observations.correct)
+        console.print(
+            f"{name}: {len(observations.correct)} steps, {100 * observations.correct.mean():.0f} % right, "
+            f"AUROC {found:.3f} on the sequences it was fitted to"
+        )
+
+
 def _available(models: Path) -> list[str]:
     from captra.runtime.bundle import find_bundles
 

@@ -26,8 +26,14 @@ class FewViews:
         rng = np.random.default_rng(0)
         category, truth, cloud = scene(name, rng, count=600)
         labels = np.repeat(np.arange(category.num_classes), [600] * category.num_parts + [150] * category.background)
-        pose = (truth.rotation, truth.translation, truth.size)
-        self.view = View(cloud, labels.astype(np.uint8), *(a.astype(np.float32) for a in pose), np.zeros(0, np.float32))
+        self.view = View(
+            points=cloud,
+            labels=labels.astype(np.uint8),
+            rotation=truth.rotation.astype(np.float32),
+            translation=truth.translation.astype(np.float32),
+            size=truth.size.astype(np.float32),
+            joint_values=np.zeros(0, np.float32),
+        )
 
     def __len__(self) -> int:
         return 2
