@@ -22,6 +22,8 @@ class PartEvidence:
 
     points: int
     """Points labelled as the part."""
+    centroid: Float64[np.ndarray, "3"]
+    """Their mean, metres, in the frame of the cloud; the part's centre for a part that could not be fitted."""
     residual: float
     """RMS distance between fitted coordinates and points, in units of the scale."""
     inliers: float
@@ -36,9 +38,9 @@ class PartEvidence:
     """Absolute logarithm of the ratio to the last scale."""
 
     @staticmethod
-    def missing(points: int) -> "PartEvidence":
-        """Evidence of a part that could not be fitted."""
-        return PartEvidence(points, 1.0, 0.0, np.pi, 0.0, 0.0, 0.0)
+    def missing(points: int, centre: Float64[np.ndarray, "3"]) -> "PartEvidence":
+        """Evidence of a part that could not be fitted and keeps its centre."""
+        return PartEvidence(points, centre, 1.0, 0.0, np.pi, 0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True)
@@ -49,6 +51,11 @@ class Evidence:
     """One entry a part."""
     foreground: float
     """Mean probability, over the network's points, of belonging to the object."""
+
+    @property
+    def centroid(self) -> Float64[np.ndarray, "parts 3"]:
+        """Mean of each part's points."""
+        return np.stack([part.centroid for part in self.parts])
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from captra import fitting
 from captra.categories import Category
 from captra.geometry import Pose, rotation_angle, rotation_from_6d, rotation_from_axis
 from captra.health import Evidence, PartEvidence
+from captra.rotation_fusion import ROTATION_NET_ALONE, RotationFusion
 
 FEWEST_POINTS = 4
 """A part with fewer keeps its last pose (METHOD, "Step")."""
@@ -62,21 +63,25 @@ def per_point_rotations(
 
 
 def residual_rotation(rotations: Float64[np.ndarray, "points 3 3"], category: Category) -> Float64[np.ndarray, "3 3"]:
-    """The part's residual rotation: the mean over its points; identity for a part without points."""
-    if len(rotations) == 0:
+    """The part's residual rotation: the mean over its points; identity for a part without points or finite answers."""
+    if len(rotations) == 0 or not np.isfinite(rotations).all():
         return np.eye(3)
     return fitting.mean_axis_rotation(rotations) if category.symmetric else fitting.mean_rotation(rotations)
 
 
 def solve(
-    points: Float32[np.ndarray, "points 3"], prediction: Prediction, last: Pose, category: Category
+    points: Float32[np.ndarray, "points 3"],
+    prediction: Prediction,
+    last: Pose,
+    category: Category,
+    fusion: RotationFusion = ROTATION_NET_ALONE,
 ) -> tuple[Pose, Evidence]:
-    """Rotations from RotationNet, then scale and translation in closed form, part by part."""
+    """Rotations first, then scale and translation in closed form, part by part."""
     fits = []
     for part in range(category.num_parts):
         mask = prediction.labels == part
         delta = residual_rotation(prediction.delta_rotations[part, mask], category)
-        fit = fit_part(points[mask], prediction.coordinates[part, mask], delta, last.part(part), category)
+        fit = fit_part(points[mask], prediction.coordinates[part, mask], delta, last.part(part), category, fusion)
         fits.append(fit)
     pose = Pose(
         rotation=np.stack([fit.rotation for fit in fits]),
@@ -115,30 +120,34 @@ def fit_part(
     delta: Float64[np.ndarray, "3 3"],
     last: Pose,
     category: Category,
+    fusion: RotationFusion,
 ) -> PartFit:
-    """Scale and translation of one part given its residual rotation; `last` holds that part alone.
+    """Scale and translation of one part given RotationNet's residual rotation; `last` holds that part alone.
 
     A part with three or fewer points, or without a finite positive scale, keeps its last scale and translation.
     """
-    rotation = last.rotation[0] @ delta
-    kept = PartFit(rotation, float(last.scale[0]), last.translation[0], last.size[0], PartEvidence.missing(len(points)))
-    if len(points) < FEWEST_POINTS:
+    from_rotation_net = last.rotation[0] @ delta
+    missing = PartEvidence.missing(len(points), last.translation[0])
+    kept = PartFit(from_rotation_net, float(last.scale[0]), last.translation[0], last.size[0], missing)
+    if len(points) < FEWEST_POINTS or not np.isfinite(coordinates).all():
         return kept
     aligned = np.asarray(coordinates, np.float64)
     if category.symmetric:
-        aligned = aligned @ fitting.symmetric_alignment(aligned, points @ rotation).T
+        aligned = aligned @ fitting.symmetric_alignment(aligned, points @ from_rotation_net).T
+    from_coordinates = fitting.umeyama(aligned, points).rotation
+    rotation = fusion(from_rotation_net, from_coordinates)
     rotated = aligned @ rotation.T
     scale, translation = fitting.scale_and_translation(rotated, points)
     if not np.isfinite(scale) or scale <= 0:
         return kept
     size = scale * 2 * np.abs(coordinates).max(axis=0)
     residuals = np.linalg.norm(scale * rotated + translation - points, axis=-1) / scale
-    full = fitting.umeyama(aligned, points)
     evidence = PartEvidence(
         points=len(points),
+        centroid=points.mean(axis=0, dtype=np.float64),
         residual=float(np.sqrt(np.mean(residuals**2))),
         inliers=float(np.mean(residuals < INLIER_RESIDUAL)),
-        disagreement_rad=_disagreement(full.rotation, rotation, category),
+        disagreement_rad=_disagreement(from_coordinates, from_rotation_net, category),
         rotation_jump_rad=_disagreement(rotation, last.rotation[0], category),
         translation_jump=float(np.linalg.norm(translation - last.translation[0]) / last.scale[0]),
         scale_jump=float(abs(np.log(scale / last.scale[0]))),

@@ -14,7 +14,9 @@ from captra.categories import Category
 from captra.geometry import Pose
 from captra.health import Evidence, HealthMonitor, State
 from captra.joints import JointValue, joint_values
+from captra.rotation_fusion import RotationFusion
 from captra.sampling import InputSampling, Neighborhoods, Profile, build_neighborhoods
+from captra.size_memory import GIVEN_WEIGHT_FRAMES, SizeMemory
 from captra.solving import Prediction, hold_gauge, per_point_rotations, reject_leaps, solve
 
 
@@ -32,6 +34,10 @@ class Networks(Protocol):
     @property
     def input_sampling(self) -> InputSampling:
         """How the points were drawn in training."""
+
+    @property
+    def rotation_fusion(self) -> RotationFusion:
+        """Whose word counts for rotations."""
 
     def coordinates(
         self, points_canonical: Float32[np.ndarray, "points 3"], neighborhoods: Neighborhoods
@@ -77,8 +83,15 @@ class TrackResult:
 class Tracker:
     """Follows one object; not thread-safe: one tracker belongs to one stream."""
 
-    def __init__(self, networks: Networks, pose: Pose, health: HealthMonitor | None = None) -> None:
+    def __init__(
+        self,
+        networks: Networks,
+        pose: Pose,
+        health: HealthMonitor | None = None,
+        given_weight_frames: float = GIVEN_WEIGHT_FRAMES,
+    ) -> None:
         self._networks = networks
+        self._given_weight_frames = given_weight_frames
         self._category = networks.category
         self._health = health or HealthMonitor()
         self.reset(pose)
@@ -100,6 +113,7 @@ class Tracker:
                 f"but the pose has {pose.num_parts}"
             )
         self._pose = pose
+        self._size = SizeMemory.of(pose, self._given_weight_frames)
         self._health = self._health.restarted()
 
     def step(self, cloud: Float[np.ndarray, "all 3"]) -> TrackResult:
@@ -117,9 +131,11 @@ class Tracker:
         sampled = perf_counter()
         prediction = predict(networks, points_canonical, neighborhoods)
         inferred = perf_counter()
-        pose, evidence = solve(points, prediction, last, self._category)
+        pose, evidence = solve(points, prediction, last, self._category, networks.rotation_fusion)
         self._health = self._health.updated(evidence)
-        self._pose = hold_gauge(reject_leaps(pose, last), last, self._category)
+        pose = hold_gauge(reject_leaps(pose, last), last, self._category)
+        self._size = self._size.updated(pose)
+        self._pose = self._size.apply(pose, evidence.centroid)
         timing = StepTiming(*(1e3 * d for d in (sampled - started, inferred - sampled, perf_counter() - inferred)))
         joints = joint_values(self._pose, self._category)
         return TrackResult(self._pose, self._health.state, self._health.confidence, joints, evidence, timing)

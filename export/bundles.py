@@ -16,7 +16,7 @@ from captra.sampling import PROFILES
 from export.graph import OPSET
 from export.onnx_export import coordinate_model, rotation_model
 from export.parity import Difference, require_parity
-from export.provenance import input_sampling_of, training_of
+from export.provenance import input_sampling_of, rotation_fusion_of, training_of
 
 
 def unchanged(manifest: Manifest) -> Manifest:
@@ -70,6 +70,7 @@ def export_bundle(
                 sha256={name: sha256_of(folder / name) for name in (COORDINATE, ROTATION)},
                 training=training_of(coordinate, rotation),
                 input_sampling=input_sampling_of(coordinate),
+                rotation_fusion=rotation_fusion_of(coordinate),
             )
         )
         write_manifest(folder, manifest)

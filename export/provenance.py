@@ -28,7 +28,7 @@ def training_of(coordinate: Path, rotation: Path) -> Training:
         seed=coordinate_info.get("seed"),
         commit=str(coordinate_info.get("commit", "")),
         meshes=tuple(MeshCredit(**mesh) for mesh in coordinate_info.get("meshes", ())),
-        details={name: _without(info, "meshes", "input_sampling") for name, info in details.items()},
+        details={name: _without(info, "meshes", "input_sampling", "rotation_fusion") for name, info in details.items()},
     )
 
 
@@ -39,6 +39,15 @@ def input_sampling_of(coordinate: Path) -> InputSampling:
         CheckpointError: it is no checkpoint.
     """
     return InputSampling(**{**asdict(InputSampling()), **training_info(coordinate).get("input_sampling", {})})
+
+
+def rotation_fusion_of(coordinate: Path) -> str:
+    """Whose word counts for rotations: RotationNet's alone unless the checkpoint says otherwise, as in the paper.
+
+    Raises:
+        CheckpointError: it is no checkpoint.
+    """
+    return str(training_info(coordinate).get("rotation_fusion", "rotation-net"))
 
 
 def _steps(info: dict[str, Any]) -> int:

@@ -71,7 +71,7 @@ def step_arrays(networks: Networks, arrays: Mapping[str, np.ndarray]) -> dict[st
     points_canonical = canonicalize(points, last)
     neighborhoods = [build_neighborhoods(part, networks.profile) for part in points_canonical]
     prediction = predict(networks, points_canonical, neighborhoods)
-    pose, _ = solve(points, prediction, last, category)
+    pose, _ = solve(points, prediction, last, category, networks.rotation_fusion)
     return {
         "seg": prediction.segmentation,
         "coords": np.swapaxes(prediction.coordinates, 1, 2).reshape(-1, len(points)),

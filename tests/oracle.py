@@ -8,6 +8,7 @@ import numpy as np
 from captra.canonical import canonicalize, decanonicalize
 from captra.categories import Category, get_category
 from captra.geometry import Pose, axis_angle
+from captra.rotation_fusion import ROTATION_NET_ALONE, RotationFusion
 from captra.sampling import REALTIME, InputSampling, Neighborhoods, Profile
 
 
@@ -20,6 +21,7 @@ class OracleNetworks:
     last: Pose
     profile: Profile = REALTIME
     input_sampling: InputSampling = field(default_factory=InputSampling)
+    rotation_fusion: RotationFusion = ROTATION_NET_ALONE
 
     def coordinates(self, points_canonical: np.ndarray, neighborhoods: Neighborhoods) -> tuple[np.ndarray, np.ndarray]:
         """Exact coordinates; a point belongs to the part in whose box it lies, or else to the background."""

@@ -1,6 +1,7 @@
 """Things that stand around: simple solids and vessels, standing on y = 0 with their axis at x = z = 0."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import partial
 
 import numpy as np
 
@@ -11,10 +12,13 @@ from captra.data.shapes.mesh import Mesh, grid_mesh
 from captra.data.shapes.surfaces import box, capsule, revolve, rounded_box, superellipsoid, tube
 from captra.geometry import axis_angle
 
+ThingMaker = Callable[[np.random.Generator], Mesh]
 
-def make_clutter(rng: np.random.Generator) -> Mesh:
-    """Draw a thing, turn it about y, lay it down now and then."""
-    mesh = pick(rng, KINDS)(rng)
+
+def make_clutter(rng: np.random.Generator, categories: Sequence[str] = ("bottle", "mug")) -> Mesh:
+    """Draw a thing, turn it about y, lay it down now and then; it may be an instance of one of these categories."""
+    kinds: tuple[tuple[float, ThingMaker], ...] = (*KINDS, (1.6, partial(_instance, categories)))
+    mesh = pick(rng, kinds)(rng)
     if chance(rng, 0.2):
         mesh = mesh.moved(axis_angle(np.array([1.0, 0.0, 0.0]), np.pi / 2 + between(rng, -0.1, 0.1)))
     mesh = mesh.moved(axis_angle(np.array([0.0, 1.0, 0.0]), between(rng, 0, 2 * np.pi)))
@@ -95,12 +99,12 @@ def _sheet(grid: np.ndarray) -> Mesh:
     return grid_mesh(np.stack(rows), caps=True)
 
 
-def _category(rng: np.random.Generator) -> Mesh:
-    """Another object of a category: not the one that is tracked."""
-    return make_shape(str(rng.choice(["bottle", "mug"])), rng).parts[0]
+def _instance(categories: Sequence[str], rng: np.random.Generator) -> Mesh:
+    """Another object of a rigid category: not the one that is tracked."""
+    return make_shape(str(rng.choice(list(categories))), rng).parts[0]
 
 
-KINDS: tuple[tuple[float, Callable[[np.random.Generator], Mesh]], ...] = (
+KINDS: tuple[tuple[float, ThingMaker], ...] = (
     (2.0, _block),
     (1.0, _book),
     (1.5, _rounded),
@@ -111,5 +115,4 @@ KINDS: tuple[tuple[float, Callable[[np.random.Generator], Mesh]], ...] = (
     (1.5, _bent),
     (0.8, _rod),
     (0.6, _cloth),
-    (1.6, _category),
 )

@@ -39,14 +39,6 @@ class GripFrame:
         return np.stack([self.across, self.axis, self.out], -1)
 
 
-def make_holder(rng: np.random.Generator, vertices: Float[np.ndarray, "V 3"], handle: bool) -> Mesh:
-    """Something that holds an object with these vertices; `handle` says that a handle stands out to +x."""
-    options = [(5.0, hand), (2.0, gripper), (0.8, palm_below)]
-    if handle:
-        options.append((2.0, handle_grip))
-    return pick(rng, options)(rng, vertices)
-
-
 def _grip_frame(rng: np.random.Generator) -> GripFrame:
     axis = np.eye(3)[pick(rng, ((6, 1), (1, 0), (1, 2)))]
     helper = np.eye(3)[0] if abs(axis[0]) < 0.5 else np.eye(3)[1]
@@ -116,11 +108,12 @@ def hand(rng: np.random.Generator, vertices: Float[np.ndarray, "V 3"]) -> Mesh:
     palm_size = (between(rng, 0.05, 0.09) * size, max(0.03, count * spacing * 1.05), thick)
     centre = frame.raised(top[None], float(middle))[0] + frame.out * (thick / 2 + 0.004 + gap)
     meshes.append(superellipsoid(palm_size, between(rng, 2.3, 4), 16).moved(frame.matrix, centre))
-    meshes.append(_forearm(rng, centre, frame, size))
+    meshes.append(forearm(rng, centre, frame, size))
     return merged(meshes)
 
 
-def _forearm(rng: np.random.Generator, wrist: Float[np.ndarray, " 3"], frame: GripFrame, size: float) -> Mesh:
+def forearm(rng: np.random.Generator, wrist: Float[np.ndarray, " 3"], frame: GripFrame, size: float) -> Mesh:
+    """An arm from a wrist away from the object, more or less along `out`."""
     direction = frame.out * between(rng, 0.35, 1.2) + frame.axis * between(rng, -0.8, 0.8)
     direction += frame.across * between(rng, -1.0, 1.0)
     direction /= np.linalg.norm(direction)
@@ -162,7 +155,7 @@ def handle_grip(rng: np.random.Generator, vertices: Float[np.ndarray, "V 3"]) ->
         path = start + np.linspace(0, 1, 5)[:, None] * [-between(rng, 0.02, 0.05), 0.01, side * 0.01]
         meshes.append(tube(path, 0.009 * size, np.array([0.0, 0.0, 1.0])))
     frame = GripFrame(np.array([0.0, 1, 0]), np.array([0.0, 0, -1]), np.array([1.0, 0, 0]))
-    meshes.append(_forearm(rng, centre, frame, size))
+    meshes.append(forearm(rng, centre, frame, size))
     return merged(meshes)
 
 
@@ -181,7 +174,7 @@ def palm_below(rng: np.random.Generator, vertices: Float[np.ndarray, "V 3"]) -> 
         tip = start - out * between(rng, 0.06, 0.08) - np.array([0, up, 0]) * between(rng, -0.03, 0.0)
         path = start + np.linspace(0, 1, 4)[:, None] * (tip - start)
         meshes.append(tube(path, 0.008, frame.across))
-    meshes.append(_forearm(rng, centre + out * 0.05, frame, 1.0))
+    meshes.append(forearm(rng, centre + out * 0.05, frame, 1.0))
     return merged(meshes)
 
 

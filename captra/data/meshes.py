@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 
 from captra.categories import get_category
+from captra.data.articulated_meshes import deformed_articulated, load_articulated
 from captra.data.shapes.curves import through
 from captra.data.shapes.draws import between, chance
 from captra.data.shapes.mesh import Mesh
@@ -19,6 +20,12 @@ Use = Literal["train", "validate"]
 
 SHARE_PER_MESH = 0.05
 """No single mesh makes up more than this share of the training data."""
+
+_TURNED = ("bottle", "bowl", "can", "mug")
+"""Categories that stay what they are if their width varies with height."""
+
+_SUFFIX = "_articulated"
+"""Of the folders that hold articulated objects."""
 
 
 @dataclass(frozen=True)
@@ -36,26 +43,35 @@ class MeshObject:
 
 
 def load_meshes(folder: Path, category: str, use: Use) -> tuple[MeshObject, ...]:
-    """Read the objects of a rigid category with this use; an empty tuple if there is none.
+    """Read the objects of a category with this use; an empty tuple if there is none.
 
     Raises:
         FileNotFoundError: if the folder has no INDEX.json.
     """
-    import trimesh
-
+    read = load_articulated if get_category(category).joints else _load_rigid
+    section = f"{category.removesuffix(_SUFFIX)}{_SUFFIX}" if get_category(category).joints else category
     index = json.loads((folder / "INDEX.json").read_text())
     objects = []
     for name, entry in sorted(index.items()):
-        if entry["use"] != use or name.split("/")[0] != category:
+        if entry["use"] != use or name.split("/")[0] != section:
             continue
-        loaded = trimesh.load_mesh(folder / f"{name}.ply", process=False)
-        mesh = Mesh(np.asarray(loaded.vertices, np.float32), np.asarray(loaded.faces, np.int32))
-        objects.append(MeshObject(name, entry["licence"], entry["notes"], rigid_shape(category, [mesh])))
+        objects.append(MeshObject(name, entry["licence"], entry["notes"], read(folder / name, category)))
     return tuple(objects)
 
 
+def _load_rigid(path: Path, category: str) -> Shape:
+    import trimesh
+
+    loaded = trimesh.load_mesh(path.with_name(f"{path.name}.ply"), process=False)
+    mesh = Mesh(np.asarray(loaded.vertices, np.float32), np.asarray(loaded.faces, np.int32))
+    return rigid_shape(category, [mesh])
+
+
 def deformed(shape: Shape, rng: np.random.Generator) -> Shape:
-    """Stretch a rigid shape along its axes, its width by height, and a mug's handle; axes and symmetry are kept."""
+    """Stretch a rigid shape along its axes, a turned one's width by height, and a mug's handle.
+
+    Axes and symmetry are kept, and a camera's lens stays almost round.
+    """
     vertices = shape.parts[0].vertices.astype(np.float64)
     size = shape.sizes[0]
     if shape.category == "mug" and chance(rng, 0.7):
@@ -64,14 +80,15 @@ def deformed(shape: Shape, rng: np.random.Generator) -> Shape:
         )  # x of the body's far side from the handle is -size/2, its near side size[2] further
         beyond = vertices[:, 0] - (body + size[2] / 2)
         vertices[:, 0] += np.where(beyond > 0, beyond * between(rng, -0.3, 0.4), 0)
-    if chance(rng, 0.7):
+    if shape.category in _TURNED and chance(rng, 0.7):
         at = np.clip(vertices[:, 1] / size[1] + 0.5, 0, 1)
         center = size[2] / 2 - size[0] / 2 if shape.category == "mug" else 0.0
         width = through((0, 0.35, 0.7, 1), 1 + rng.normal(0, 0.08, 4).clip(-0.16, 0.16), at)
         vertices[:, 0] = center + (vertices[:, 0] - center) * width
         vertices[:, 2] *= width
     sideways = between(rng, 0.85, 1.18)
-    factors = np.array([sideways, between(rng, 0.75, 1.33), sideways]) * between(rng, 0.85, 1.15)
+    upwards = sideways * between(rng, 0.92, 1.08) if shape.category == "camera" else between(rng, 0.75, 1.33)
+    factors = np.array([sideways, upwards, sideways]) * between(rng, 0.85, 1.15)
     if not get_category(shape.category).symmetric:
         factors[2] *= between(rng, 0.93, 1.07)
     mesh = Mesh((vertices * factors).astype(np.float32), shape.parts[0].faces)
@@ -83,10 +100,11 @@ def shape_source(
 ) -> Callable[[np.random.Generator], Shape]:
     """Draw procedural shapes, and deformed library objects in (at most) that fraction of cases."""
     fraction = min(mesh_fraction, SHARE_PER_MESH * len(meshes))
+    deform = deformed_articulated if get_category(category).joints else deformed
 
     def draw(rng: np.random.Generator) -> Shape:
         if meshes and chance(rng, fraction):
-            return deformed(meshes[int(rng.integers(len(meshes)))].shape, rng)
+            return deform(meshes[int(rng.integers(len(meshes)))].shape, rng)
         return make_shape(category, rng)
 
     return draw

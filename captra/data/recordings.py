@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
+from zipfile import is_zipfile
 
 import numpy as np
 from jaxtyping import Float32, Int64, UInt8
@@ -66,6 +67,8 @@ def load_recording(path: Path | str) -> Recording:
         UnknownCategoryError: if its category is none of the known ones.
     """
     path = Path(path)
+    if path.exists() and not is_zipfile(path):
+        raise RecordingError(f"{path} is no recording: it is not an .npz archive; record or download it again")
     with np.load(path, allow_pickle=False) as stored:
         missing = [name for name in (*_ARRAYS, *_INIT) if name not in stored.files]
         if missing:

@@ -10,7 +10,10 @@ from jaxtyping import Float, Float64
 from scipy.spatial import ConvexHull
 
 from captra.data.clutter import make_clutter
-from captra.data.hands import make_holder
+from captra.data.contents import make_contents
+from captra.data.habits import Habits, habits_of
+from captra.data.holders import make_holder
+from captra.data.joint_states import draw_joint_values
 from captra.data.shapes.draws import between, chance, pick
 from captra.data.shapes.kinematics import part_motions
 from captra.data.shapes.mesh import Mesh, merged
@@ -32,7 +35,7 @@ class Scene:
     rotation: Float64[np.ndarray, "3 3"]
     """R_world_object; the object's centre is at the origin."""
     attached: tuple[Mesh, ...]
-    """In the object frame: a hand that holds it."""
+    """In the object frame: a hand that holds it, things that lie in it."""
     surroundings: tuple[Mesh, ...]
     """In the world frame."""
     lowest_elevation_deg: float
@@ -53,9 +56,9 @@ def random_rotation(rng: np.random.Generator) -> Float64[np.ndarray, "3 3"]:
 
 def make_scene(shape: Shape, rng: np.random.Generator, held_fraction: float = 0.45) -> Scene:
     """Draw a scene around an object: held in that fraction of cases, otherwise resting on something."""
-    limits = shape.joint_limits
-    values = limits[:, 0] + rng.random(len(limits)) * (limits[:, 1] - limits[:, 0])
-    return held_scene(shape, values, rng) if chance(rng, held_fraction) else table_scene(shape, values, rng)
+    values = draw_joint_values(shape, rng)
+    held = chance(rng, held_fraction * habits_of(shape.category).held)
+    return held_scene(shape, values, rng) if held else table_scene(shape, values, rng)
 
 
 def held_scene(
@@ -63,18 +66,20 @@ def held_scene(
 ) -> Scene:
     """In a hand, at any orientation, above a table or against nothing at all; `clearance` metres are left to move."""
     vertices = merged(posed_parts(shape, joint_values)).vertices
-    attached = [make_holder(rng, vertices, handle=shape.category == "mug")] if chance(rng, 0.95) else []
-    rotation = random_rotation(rng) if chance(rng, 0.6) else _upright(rng, tilt_deg=30)
+    habits = habits_of(shape.category)
+    attached = [make_holder(rng, vertices, shape.category)] if chance(rng, 0.95) else []
+    rotation = random_rotation(rng) if chance(rng, habits.tumbled) else _upright(rng, habits, tilt_deg=30)
+    attached += _contents(rng, shape, habits, rotation)
     reach = float(np.linalg.norm(vertices, axis=1).max())
     surroundings: list[Mesh] = []
     if chance(rng, 0.7):
         drop = float((vertices @ rotation.T)[:, 1].min()) - between(rng, 0.0, 0.3) - clearance
         surroundings += [plate(rng).moved(translation=np.array([0, drop, 0]))]
-        surroundings += scattered(rng, vertices @ rotation.T, drop, int(rng.integers(0, 5)), touching=0.0)
+        surroundings += scattered(rng, vertices @ rotation.T, drop, int(rng.integers(0, 5)), 0.0, habits)
     for _ in range(int(rng.integers(0, 4))):
         direction = rng.normal(size=3)
         at = direction / np.linalg.norm(direction) * (reach + between(rng, 0.04, 0.25) + clearance)
-        surroundings.append(make_clutter(rng).moved(random_rotation(rng), at))
+        surroundings.append(make_clutter(rng, habits.neighbours).moved(random_rotation(rng), at))
     if chance(rng, 0.3):
         surroundings.append(wall(rng, -reach - between(rng, 0.02, 0.4) - clearance))
     return Scene(shape, joint_values, rotation, tuple(attached), tuple(surroundings), -60.0)
@@ -83,7 +88,8 @@ def held_scene(
 def table_scene(shape: Shape, joint_values: Float64[np.ndarray, " J"], rng: np.random.Generator) -> Scene:
     """Standing, lying or upside down on a table, a stack, a shelf or in a box, among clutter."""
     vertices = merged(posed_parts(shape, joint_values)).vertices
-    rotation = resting_rotation(rng, vertices)
+    habits = habits_of(shape.category)
+    rotation = resting_rotation(rng, vertices, habits)
     placed = vertices @ rotation.T
     floor = float(placed[:, 1].min())
     surroundings = [plate(rng).moved(translation=np.array([0, floor, 0]))]
@@ -108,27 +114,39 @@ def table_scene(shape: Shape, joint_values: Float64[np.ndarray, " J"], rng: np.r
         surroundings.append(box((1.0, 0.02, 0.3)).moved(translation=np.array([0, above, -0.1])))
     count = int(rng.integers(0, 8))
     if setting != "box":
-        surroundings += scattered(rng, placed, floor, count, touching=0.25)
-    attached = [make_holder(rng, vertices, handle=shape.category == "mug")] if chance(rng, 0.12) else []
+        surroundings += scattered(rng, placed, floor, count, 0.25, habits)
+    attached = [make_holder(rng, vertices, shape.category)] if chance(rng, 0.12) else []
+    attached += _contents(rng, shape, habits, rotation)
     return Scene(shape, joint_values, rotation, tuple(attached), tuple(surroundings), lowest)
 
 
-def _upright(rng: np.random.Generator, tilt_deg: float) -> Float64[np.ndarray, "3 3"]:
+def _contents(
+    rng: np.random.Generator, shape: Shape, habits: Habits, rotation: Float64[np.ndarray, "3 3"]
+) -> list[Mesh]:
+    """Things in a vessel that is not tilted much."""
+    if habits.contents == 0 or rotation[1, 1] < 0.85 or not chance(rng, habits.contents):
+        return []
+    return make_contents(rng, shape.parts[0])
+
+
+def _upright(rng: np.random.Generator, habits: Habits, tilt_deg: float) -> Float64[np.ndarray, "3 3"]:
     tilt_axis = axis_angle(Y, between(rng, 0, 2 * np.pi))[:, 0]
     lean = axis_angle(tilt_axis, np.radians(rng.normal(0, tilt_deg)))
-    return np.asarray(lean @ axis_angle(Y, between(rng, 0, 2 * np.pi)))
+    return np.asarray(lean @ axis_angle(Y, habits.yaw(rng)))
 
 
-def resting_rotation(rng: np.random.Generator, vertices: Float[np.ndarray, "V 3"]) -> Float64[np.ndarray, "3 3"]:
-    """Mostly upright with any yaw; else upside down, lying on a face of the convex hull, or leaning."""
-    turn = axis_angle(Y, between(rng, 0, 2 * np.pi))
-    mode = pick(rng, ((6.2, "upright"), (0.8, "upside down"), (2.2, "lying"), (0.8, "leaning")))
+def resting_rotation(
+    rng: np.random.Generator, vertices: Float[np.ndarray, "V 3"], habits: Habits
+) -> Float64[np.ndarray, "3 3"]:
+    """Mostly upright; else upside down, lying on a face of the convex hull, or leaning."""
+    turn = axis_angle(Y, habits.yaw(rng))
+    mode = pick(rng, habits.resting)
     if mode == "upright":
         return turn
     if mode == "upside down":
         return np.asarray(turn @ axis_angle(X, np.pi))
     if mode == "leaning":
-        return _upright(rng, tilt_deg=15)
+        return _upright(rng, habits, tilt_deg=15)
     hull = ConvexHull(vertices)
     corners = vertices[hull.simplices]
     areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
@@ -172,12 +190,17 @@ def _open_box(rng: np.random.Generator, half: Float[np.ndarray, " 3"], floor: fl
 
 
 def scattered(
-    rng: np.random.Generator, placed: Float[np.ndarray, "V 3"], floor: float, count: int, touching: float
+    rng: np.random.Generator,
+    placed: Float[np.ndarray, "V 3"],
+    floor: float,
+    count: int,
+    touching: float,
+    habits: Habits,
 ) -> list[Mesh]:
     """Things on a plane around the object that do not cut into it; a fraction of them touches it."""
     things = []
     for _ in range(count):
-        thing = make_clutter(rng)
+        thing = make_clutter(rng, habits.neighbours)
         angle = between(rng, 0, 2 * np.pi)
         direction = np.array([np.cos(angle), 0, np.sin(angle)])
         reach = float((placed @ direction).max()) - float((thing.vertices @ direction).min())

@@ -8,13 +8,14 @@ from jaxtyping import Float64
 
 from captra.categories import get_category
 from captra.data.depth_camera import draw_noise
+from captra.data.joint_states import draw_joint_path
 from captra.data.recordings import Recording
 from captra.data.rendering import Camera
 from captra.data.scenes import Scene, held_scene, table_scene
 from captra.data.shapes.draws import between
 from captra.data.shapes.shape import Shape
 from captra.data.view import View
-from captra.data.views import HiddenObjectError, Orbit, ViewOptions, draw_orbit, photograph
+from captra.data.views import HiddenObjectError, Orbit, ViewOptions, draw_orbit, farthest_distance, photograph
 from captra.geometry import axis_angle
 from captra.perturbation import perturb
 
@@ -27,15 +28,17 @@ REACH_M = 0.1
 """A held object stays about that near to where it started."""
 LEAST_FIRST_POINTS = 150
 LEAST_POINTS = 40
-ATTEMPTS = 20
+LEAST_PART_POINTS = 12
+"""Of each part of an articulated object in the first frame."""
+ATTEMPTS = 40
 
 
 def make_sequence(shape: Shape, rng_seed: int, frames: int = 100, motion: Motion = "hand") -> Recording:
     """Simulate `frames` frames at 30 Hz; the same arguments give the same recording.
 
     `hand`: a hand moves the object at up to 0.3 m/s and 60°/s in front of a camera that hardly moves. `table`: the
-    object rests and the camera moves around it. The first pose is the truth of frame 0, perturbed as
-    the category says.
+    object rests and the camera moves around it. Joints change by about the paper's average. The first pose is
+    the truth of frame 0, perturbed as the category says.
 
     Raises:
         HiddenObjectError: if no attempt keeps the object in sight.
@@ -51,8 +54,7 @@ def make_sequence(shape: Shape, rng_seed: int, frames: int = 100, motion: Motion
 
 def _film(shape: Shape, rng: np.random.Generator, frames: int, motion: Motion) -> list[View]:
     """Take frames until the object is out of sight."""
-    limits = shape.joint_limits
-    joints = _joint_paths(rng, limits, frames)
+    joints = draw_joint_path(shape, frames, rng)
     if motion == "hand":
         scene = held_scene(shape, joints[0], rng, clearance=REACH_M)
     else:
@@ -60,15 +62,21 @@ def _film(shape: Shape, rng: np.random.Generator, frames: int, motion: Motion) -
     camera, noise = Camera(focal_px=between(rng, 560, 630)), draw_noise(rng, strongest=1.0)
     orbits = _camera_path(rng, draw_orbit(scene, camera, rng), frames, motion, scene)
     rotations, translations = _object_path(rng, scene, frames, motion)
-    options = ViewOptions(points=(POINTS, POINTS))
+    options = ViewOptions(points=(POINTS, POINTS), stray_share=0.0)
     views: list[View] = []
     for i in range(frames):
         moved = replace(scene, joint_values=joints[i])
         view = photograph(moved, camera, orbits[i], noise, rng, options, (rotations[i], translations[i]))
-        if (view.labels < len(shape.parts)).sum() < LEAST_POINTS:
+        if (view.labels < len(shape.parts)).sum() < LEAST_POINTS or (i == 0 and _hides_a_part(view)):
             break
         views.append(view)
     return views
+
+
+def _hides_a_part(view: View) -> bool:
+    """Whether a part of an articulated object is out of sight: no track can start with it."""
+    counts = np.bincount(view.labels, minlength=len(view.size))[: len(view.size)]
+    return len(counts) > 1 and int(counts.min()) < LEAST_PART_POINTS
 
 
 def smooth_walk(rng: np.random.Generator, frames: int, dimensions: int, peak_rate: float) -> Float64[np.ndarray, "F D"]:
@@ -107,10 +115,10 @@ def _camera_path(rng: np.random.Generator, start: Orbit, frames: int, motion: Mo
     nearer *= min(1.0, 0.2 / max(float(np.abs(nearer).max()), 1e-9))
     drift = smooth_walk(rng, frames, 2, 0.06 if motion == "table" else 0.01)
     drift *= min(1.0, 0.06 / max(float(np.abs(drift).max()), 1e-9))
-    lowest = np.radians(scene.lowest_elevation_deg)
+    lowest, farthest = np.radians(scene.lowest_elevation_deg), farthest_distance(scene.shape)
     return [
         Orbit(
-            distance=start.distance * float(1 + near),
+            distance=min(start.distance * float(1 + near), farthest),
             elevation=float(np.clip(start.elevation + angle[1], min(lowest, start.elevation), np.pi / 2)),
             azimuth=start.azimuth + float(angle[0]),
             roll=start.roll + float(angle[2]),
@@ -118,16 +126,6 @@ def _camera_path(rng: np.random.Generator, start: Orbit, frames: int, motion: Mo
         )
         for angle, near, shift in zip(angles, nearer, drift, strict=True)
     ]
-
-
-def _joint_paths(
-    rng: np.random.Generator, limits: Float64[np.ndarray, "J 2"], frames: int
-) -> Float64[np.ndarray, "F J"]:
-    """Joints that move there and back through a good part of their range."""
-    low, high = limits[:, 0], limits[:, 1]
-    time = np.arange(frames)[:, None] / FRAMES_PER_SECOND
-    phase = rng.uniform(0, 2 * np.pi, len(limits)) + 2 * np.pi * rng.uniform(0.08, 0.25, len(limits)) * time
-    return np.asarray(low + (high - low) * (0.5 + 0.5 * rng.uniform(0.5, 1.0, len(limits)) * np.sin(phase)))
 
 
 def _recording(shape: Shape, views: list[View], rng: np.random.Generator, name: str) -> Recording:

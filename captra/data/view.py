@@ -13,9 +13,9 @@ class View:
     """A cloud with its truth, camera frame (x right, y down, z forward), metres."""
 
     points: Float32[np.ndarray, "N 3"]
-    """A random subset of the pixels in a ball around the object."""
+    """A random subset of the pixels in a ball around the object, or of the object's own ones if it is pre-segmented."""
     labels: UInt8[np.ndarray, " N"]
-    """Part of each point; P is background."""
+    """Part of each point; P is background, or a stray point of a pre-segmented cloud."""
     rotation: Float32[np.ndarray, "P 3 3"]
     """R_camera_part."""
     translation: Float32[np.ndarray, "P 3"]

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float, Float64
+from jaxtyping import Float, Float32, Float64, UInt8
 
 from captra.categories import get_category
 from captra.data.depth_camera import DepthNoise, draw_noise, observe
@@ -13,11 +13,22 @@ from captra.data.shapes.draws import between, chance, pick
 from captra.data.shapes.kinematics import part_motions
 from captra.data.shapes.mesh import Mesh
 from captra.data.shapes.shape import Shape
+from captra.data.strays import keep_segment
 from captra.data.view import View, ball_radius
 from captra.geometry import axis_angle
 
 LENS = np.diag([1.0, -1.0, -1.0])
 """A camera that looks along -z of a y-up frame, written in the axes x right, y down, z forward."""
+
+
+STORED_DEPTH_M = 3.1
+"""Somewhat less than the 3.27 m that int16 multiples of 0.1 mm reach."""
+
+
+FARTHEST_SCALES = 5.5
+"""Small pre-segmented objects are not looked at from further than that many of their scales."""
+FRINGE_M = 0.03
+"""What is seen around a pre-segmented object."""
 
 
 class HiddenObjectError(RuntimeError):
@@ -38,6 +49,8 @@ class ViewOptions:
     """Views with fewer are drawn again."""
     attempts: int = 12
     """Before giving up."""
+    stray_share: float = 0.05
+    """Pre-segmented categories: largest share of points that belong to no part (label P)."""
 
 
 @dataclass(frozen=True)
@@ -91,8 +104,28 @@ def draw_orbit(scene: Scene, camera: Camera, rng: np.random.Generator) -> Orbit:
     azimuth = between(rng, -0.6, 0.6)
     roll = np.radians(pick(rng, ((6, rng.normal(0, 6)), (2, rng.normal(0, 30)), (1, rng.uniform(-180, 180)))))
     spread_px = np.array([110.0, 75.0]) * between(rng, 0, 1.3)
-    offset = np.clip(rng.normal(0, spread_px), [-260, -190], [260, 190]) / camera.focal_px
+    room_px = np.array([260.0, 190.0])
+    if not get_category(scene.shape.category).background:
+        distance = _segmented_distance(scene.shape, distance, between(rng, 1.05, 1.8))
+        room_px = np.maximum(room_px - 0.35 * camera.focal_px * scene.shape.scale / distance, 20.0)
+    offset = np.clip(rng.normal(0, spread_px), -room_px, room_px) / camera.focal_px
     return Orbit(distance, float(elevation), azimuth, float(roll), (float(offset[0]), float(offset[1])))
+
+
+def _segmented_distance(shape: Shape, distance: float, nearest: float) -> float:
+    """Far enough to see most of the object (`nearest` times its scale), near enough for it to have some points."""
+    near = min(max(distance, nearest * shape.scale), max(FARTHEST_SCALES * shape.scale, 0.35))
+    return min(near, farthest_distance(shape))
+
+
+def farthest_distance(shape: Shape) -> float:
+    """Depth of the object's centre beyond which its far side would leave what shards and recordings store, metres."""
+    return STORED_DEPTH_M - max(_reach(posed_parts(shape, shape.joint_limits[:, end])) for end in (0, 1))
+
+
+def _reach(parts: list[Mesh]) -> float:
+    """Largest distance from the object's centre, metres."""
+    return max(float(np.linalg.norm(mesh.vertices, axis=1).max()) for mesh in parts)
 
 
 def photograph(
@@ -109,8 +142,9 @@ def photograph(
     view_rotation, view_translation = orbit.rotation, orbit.translation
     rotation = view_rotation @ world_rotation
     center = view_rotation @ world_translation + view_translation
-    radius = ball_radius(scene.shape.scale)
     parts = posed_parts(scene.shape, scene.joint_values)
+    segmented = not get_category(scene.shape.category).background
+    radius = _reach(parts) + FRINGE_M if segmented else ball_radius(scene.shape.scale)
     bodies = [mesh.moved(rotation, center) for mesh in (*parts, *scene.attached) if len(mesh.faces)]
     bodies += [mesh.moved(view_rotation, view_translation) for mesh in scene.surroundings]
     patch = cast(_in_front(bodies), camera, center, radius, options.max_rays)
@@ -118,9 +152,13 @@ def photograph(
     part_rotation, part_shift = part_motions(scene.shape, scene.joint_values)
     rest_centers = scene.shape.centers
     moved_centers = np.einsum("pij,pj->pi", part_rotation, rest_centers) + part_shift
-    points, labels = _cloud(patch, len(parts), center, radius, rng, options)
-    if not get_category(scene.shape.category).background:
-        points, labels = points[labels < len(parts)], labels[labels < len(parts)]
+    points, labels = _cloud(patch, len(parts), center, radius)
+    if segmented:
+        points, labels = keep_segment(points, labels, len(parts), options.stray_share, rng)
+    count = int(rng.integers(options.points[0], options.points[1] + 1))
+    if len(points) > count:
+        chosen = rng.permutation(len(points))[:count]
+        points, labels = points[chosen], labels[chosen]
     return View(
         points=points,
         labels=labels,
@@ -142,21 +180,13 @@ def _in_front(bodies: list[Mesh]) -> list[Mesh]:
 
 
 def _cloud(
-    patch: DepthPatch,
-    parts: int,
-    center: Float[np.ndarray, " 3"],
-    radius: float,
-    rng: np.random.Generator,
-    options: ViewOptions,
-) -> tuple[np.ndarray, np.ndarray]:
+    patch: DepthPatch, parts: int, center: Float[np.ndarray, " 3"], radius: float
+) -> tuple[Float32[np.ndarray, "N 3"], UInt8[np.ndarray, " N"]]:
+    """All points within a ball, and what each belongs to."""
     seen = patch.depth > 0
     points = (patch.directions() * patch.depth[..., None])[seen]
     body = patch.body[seen]
     inside = np.einsum("ij,ij->i", points - center, points - center) < radius * radius
     points, body = points[inside], body[inside]
-    count = int(rng.integers(options.points[0], options.points[1] + 1))
-    if len(points) > count:
-        chosen = rng.permutation(len(points))[:count]
-        points, body = points[chosen], body[chosen]
     labels = np.where((body >= 0) & (body < parts), body, parts).astype(np.uint8)
     return points.astype(np.float32), labels

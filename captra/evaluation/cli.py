@@ -15,6 +15,9 @@ ProfileName = Annotated[str, typer.Option(help="realtime or paper.")]
 Provider = Annotated[str, typer.Option(help="cpu, openvino, cuda or auto.")]
 
 DEFAULT_MODELS = Path("models")
+WIDTH = 140
+"""Columns of the printed tables, whatever the terminal: they are read in logs too."""
+
 DEFAULT_RECORDINGS = Path("recordings")
 
 
@@ -42,7 +45,7 @@ def evaluate(
     from captra.evaluation.summary import Summary, as_json, average, markdown, summarize
     from captra.evaluation.table import table
 
-    console, rows = Console(), list[Summary]()
+    console, rows = Console(width=WIDTH), list[Summary]()
     for name in category or _available(models):
         networks = _load(models, name, profile, provider)
         groups = (("recordings", recordings_in(recordings, name)), ("procedural", make(name, procedural)))
@@ -81,7 +84,7 @@ def response(
     from captra.evaluation.sequences import recordings_in
     from captra.evaluation.table import response_table
 
-    console = Console()
+    console = Console(width=WIDTH)
     for name in category or _available(models):
         networks = _load(models, name, profile, provider)
         for recording in recordings_in(recordings, name):

@@ -12,7 +12,7 @@ from captra.evaluation.summary import COLUMNS, Summary, cells
 def table(rows: Iterable[Summary], title: str) -> Table:
     """Scores, one row a sequence or mean."""
     result = Table(title=title)
-    result.add_column("sequence")
+    result.add_column("sequence", no_wrap=True)
     for column in COLUMNS:
         result.add_column(column, justify="right")
     for row in rows:

@@ -11,6 +11,7 @@ from captra.categories import Category
 from captra.learn.coordinate_net import CoordinateNet
 from captra.learn.pointnet2 import TorchNeighborhoods
 from captra.learn.rotation_net import RotationNet
+from captra.rotation_fusion import ROTATION_NET_ALONE, RotationFusion
 from captra.sampling import InputSampling, Neighborhoods, Profile
 
 
@@ -28,6 +29,8 @@ class TorchNetworks:
     """In evaluation mode."""
     input_sampling: InputSampling = field(default_factory=InputSampling)
     """How the points were drawn in training."""
+    rotation_fusion: RotationFusion = ROTATION_NET_ALONE
+    """Whose word counts for rotations."""
 
     def coordinates(
         self, points_canonical: Float32[np.ndarray, "points 3"], neighborhoods: Neighborhoods

@@ -53,3 +53,8 @@ def perturb_for_training(truth: Pose, category: Category, mix: PerturbationMix, 
         turn = turn @ axis_angle(np.array(mix.weak_axis), np.radians(rng.normal(0, mix.weak_deg)))
     size = pose.size * np.clip(1 + rng.normal(0, mix.aspect, pose.size.shape), 0.7, 1.4)
     return Pose(pose.rotation @ turn, pose.translation, pose.scale, size)
+
+
+def rotation_fusion_for(mix: PerturbationMix) -> str:
+    """Where a tracker should take rotations from: the coordinates speak for the axis that is hard to see."""
+    return "rotation-net" if mix.weak_axis is None else "turn-about-y-from-coordinates"

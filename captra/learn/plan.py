@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 
-from captra.sampling import PAPER, REALTIME, InputSampling, Profile
+from captra.sampling import REALTIME, InputSampling, Profile
 
 SMALL = Profile("small", 1024, (256, 64), ((8, 16, 32), (16, 32)))
 """Groups cut to a quarter: what most samples are trained at, since weights depend on neither points nor group sizes."""
@@ -46,9 +46,9 @@ class Plan:
     density: InputSampling = field(default_factory=lambda: InputSampling(surroundings_weight=0.4, margin=0.1))
     """How clouds are sampled, in training and by the tracker."""
     stages: tuple[Stage, ...] = (
-        Stage(until=0.7, profiles=(SMALL,)),
-        Stage(until=0.9, profiles=(SMALL, REALTIME)),
-        Stage(until=1.0, profiles=(REALTIME, REALTIME, PAPER_LIGHT, PAPER)),
+        Stage(until=0.85, profiles=(SMALL,)),
+        Stage(until=0.96, profiles=(SMALL, REALTIME)),
+        Stage(until=1.0, profiles=(REALTIME, REALTIME, PAPER_LIGHT)),
     )
     """Small groups first, the mix of what is served last."""
     seed: int = 1

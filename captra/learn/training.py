@@ -3,7 +3,7 @@
 import json
 import time
 from collections.abc import Callable, Iterator, Mapping
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, Generic, Protocol, TypeVar
@@ -17,8 +17,8 @@ from captra.categories import Category
 from captra.data.view import View
 from captra.learn.checkpoint import save_checkpoint
 from captra.learn.coordinate_net import CoordinateNet
-from captra.learn.objectives import Terms, coordinate_objective, rotation_objective
-from captra.learn.perturbation import PerturbationMix
+from captra.learn.objectives import coordinate_objective, rotation_objective
+from captra.learn.perturbation import PerturbationMix, rotation_fusion_for
 from captra.learn.plan import Plan
 from captra.learn.pointnet2 import copy_backbone
 from captra.learn.rotation_net import RotationNet
@@ -126,7 +126,8 @@ class Trainer:
         self.rotation = Learner(RotationNet(category.num_parts, category.symmetric), plan)
         self.progress = Progress()
         self._provenance = dict(provenance or {})
-        self._make_sample = SampleMaker(category, plan.density, PerturbationMix.for_category(category))
+        self._mix = PerturbationMix.for_category(category)
+        self._make_sample = SampleMaker(category, plan.density, self._mix)
         folder.mkdir(parents=True, exist_ok=True)
         if (folder / STATE_FILE).exists():
             self._resume()
@@ -142,11 +143,13 @@ class Trainer:
 
     def run(self, report: Callable[[Progress, dict[str, float]], None], save_every_s: float = 120.0) -> None:
         """Train until the plan's samples are used up; interrupting saves and loses nothing."""
+        threads = torch.get_num_threads()
+        pool = ThreadPoolExecutor(2, initializer=torch.set_num_threads, initargs=(threads,))
         try:
             saved = time.monotonic()
             for batch in self._batches():
                 started = time.monotonic()
-                terms = self._step(batch)
+                terms = self._step(batch, pool)
                 self.progress.samples += len(batch.labels)
                 self.progress.seconds += time.monotonic() - started
                 report(self.progress, terms)
@@ -155,6 +158,7 @@ class Trainer:
                     self.save()
                     saved = time.monotonic()
         finally:
+            pool.shutdown()
             self.save()
 
     def save(self) -> None:
@@ -173,6 +177,7 @@ class Trainer:
             "seed": self.plan.seed,
             "views": len(self.views),
             "input_sampling": asdict(self.plan.density),
+            "rotation_fusion": rotation_fusion_for(self._mix),
             **self._provenance,
         }
         save_checkpoint(self.folder / "coordinate.pt", self.coordinate.averaged, training)
@@ -184,25 +189,33 @@ class Trainer:
         self.coordinate.load_state_dict(state["coordinate"])
         self.rotation.load_state_dict(state["rotation"])
 
-    def _step(self, batch: Batch) -> dict[str, float]:
+    def _step(self, batch: Batch, pool: Executor) -> dict[str, float]:
+        """One step of both networks at a time; they share nothing but the batch."""
         rate = self.plan.learning_rate_at(self.progress.samples)
+        steps = [pool.submit(self._coordinate_step, batch, rate)]
+        if self.progress.rotation_started or self.progress.samples >= self.plan.head_start * self.plan.samples:
+            self._start_rotation()
+            steps.append(pool.submit(self._rotation_step, batch, rate))
+        return {name: value for step in steps for name, value in step.result().items()}
+
+    def _coordinate_step(self, batch: Batch, rate: float) -> dict[str, float]:
         with torch.autocast("cpu", torch.bfloat16):
             loss, terms = coordinate_objective(self.coordinate.network, batch, self.category)
         self.coordinate.step(loss, rate)
-        if self.progress.rotation_started or self.progress.samples >= self.plan.head_start * self.plan.samples:
-            terms |= self._rotation_step(batch, rate)
         return {name: float(term.detach()) for name, term in terms.items()}
 
-    def _rotation_step(self, batch: Batch, rate: float) -> Terms:
+    def _start_rotation(self) -> None:
         if not self.progress.rotation_started:
             copy_backbone(self.coordinate.averaged.backbone, self.rotation.network.backbone)
             self.rotation.restart()
             self.progress.rotation_started = True
+
+    def _rotation_step(self, batch: Batch, rate: float) -> dict[str, float]:
         with torch.autocast("cpu", torch.bfloat16):
             head_points = int(self.plan.rotation_share * batch.labels.shape[1])
             loss, terms = rotation_objective(self.rotation.network, batch, self.category, head_points)
         self.rotation.step(loss, rate)
-        return {f"rotation/{name}": term for name, term in terms.items()}
+        return {f"rotation/{name}": float(term.detach()) for name, term in terms.items()}
 
     def _batches(self) -> Iterator[Batch]:
         """Batches from where the run stands, prepared a little ahead."""

@@ -7,6 +7,7 @@ from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
 from typing import Any
 
+from captra.rotation_fusion import ROTATION_FUSIONS
 from captra.sampling import PROFILES, InputSampling, Profile
 
 MANIFEST = "manifest.json"
@@ -86,6 +87,8 @@ class Manifest:
     """Points that RotationNet reads: `crop`, the same as CoordinateNet."""
     input_sampling: InputSampling = field(default_factory=InputSampling)
     """How points are drawn from the crop."""
+    rotation_fusion: str = "rotation-net"
+    """Whose word counts for rotations: a name of `captra.rotation_fusion.ROTATION_FUSIONS`."""
     health: Mapping[str, Any] = field(default_factory=dict)
     """Calibration of the confidence on these networks: fields of `captra.health.ConfidenceModel` by name."""
     format: int = FORMAT
@@ -112,6 +115,8 @@ class Manifest:
             content["profiles"] = {name: _profile(shape) for name, shape in content["profiles"].items()}
             content["input_sampling"] = InputSampling(**content["input_sampling"])
             content["parts"] = tuple(content["parts"])
+            if content["rotation_fusion"] not in ROTATION_FUSIONS:
+                raise BundleError(f"its rotation fusion {content['rotation_fusion']!r} is unknown: {_ADVICE}")
             if missing := [entry.name for entry in fields(cls) if entry.name not in content]:
                 raise BundleError(f"it lacks {', '.join(missing)}: {_ADVICE}")
             return cls(**content)

@@ -9,6 +9,7 @@ import numpy as np
 from jaxtyping import Float32
 
 from captra.categories import Category, get_category
+from captra.rotation_fusion import ROTATION_FUSIONS, RotationFusion
 from captra.runtime.bundle import COORDINATE, ROTATION, BundleError, Manifest, load_manifest, verify
 from captra.runtime.cores import available_cores
 from captra.runtime.providers import Provider, choose_provider
@@ -70,6 +71,11 @@ class OnnxNetworks:
     def input_sampling(self) -> InputSampling:
         """How the points were drawn in training."""
         return self.manifest.input_sampling
+
+    @property
+    def rotation_fusion(self) -> RotationFusion:
+        """Whose word counts for rotations."""
+        return ROTATION_FUSIONS[self.manifest.rotation_fusion]
 
     def coordinates(
         self, points_canonical: Float32[np.ndarray, "points 3"], neighborhoods: Neighborhoods

@@ -1,14 +1,21 @@
 from dataclasses import replace
 
+import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
 from captra.health import ConfidenceModel, Evidence, HealthMonitor, PartEvidence, State
 
 GOOD = PartEvidence(
-    points=500, residual=0.02, inliers=0.95, disagreement_rad=0.03, rotation_jump_rad=0.02, translation_jump=0.02,
+    points=500,
+    centroid=np.zeros(3),
+    residual=0.02,
+    inliers=0.95,
+    disagreement_rad=0.03,
+    rotation_jump_rad=0.02,
+    translation_jump=0.02,
     scale_jump=0.005,
-)  # fmt: skip
+)
 BAD = replace(GOOD, residual=0.2, inliers=0.1, disagreement_rad=0.6)
 
 
@@ -54,7 +61,7 @@ def test_the_worst_part_decides() -> None:
 
 
 def test_a_missing_part_is_never_trusted() -> None:
-    assert ConfidenceModel()(Evidence((GOOD, PartEvidence.missing(0)), 0.5)) < 0.01
+    assert ConfidenceModel()(Evidence((GOOD, PartEvidence.missing(0, np.zeros(3))), 0.5)) < 0.01
 
 
 @given(st.floats(0, 1), st.floats(0, 3), st.floats(0, 1))

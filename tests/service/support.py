@@ -17,6 +17,7 @@ from zenoh import ext
 
 from captra import sampling
 from captra.categories import CATEGORIES, Category
+from captra.rotation_fusion import ROTATION_NET_ALONE
 from captra.sampling import InputSampling, Neighborhoods, Profile
 from service.envelopes import pack_attachment
 from service.http_server import HttpServer, bind
@@ -46,6 +47,7 @@ class CentreNetworks:
         self.category = category
         self.profile = profile
         self.input_sampling = InputSampling()
+        self.rotation_fusion = ROTATION_NET_ALONE
         self.doubtful = False
         self.broken = False
         self.asked = threading.Event()

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float32
+from jaxtyping import Float, Float32
 
 from captra.data.shapes.mesh import Mesh, merged
 
@@ -43,3 +43,20 @@ def rigid_shape(category: str, meshes: Sequence[Mesh]) -> Shape:
     mesh = merged(meshes)
     centred = mesh.moved(translation=-mesh.bounds().mean(0))
     return Shape(category, (centred,), np.zeros((0, 3), np.float32), np.zeros((0, 2), np.float32))
+
+
+def articulated_shape(
+    category: str,
+    parts: Sequence[Sequence[Mesh]],
+    joint_origins: Float[np.ndarray, "J 3"],
+    joint_limits: Float[np.ndarray, "J 2"],
+) -> Shape:
+    """Join the meshes of each part and centre the tight box of the whole, joint origins along with it."""
+    meshes = [merged(part) for part in parts]
+    middle = merged(meshes).bounds().mean(0)
+    return Shape(
+        category,
+        tuple(mesh.moved(translation=-middle) for mesh in meshes),
+        (np.asarray(joint_origins) - middle).astype(np.float32),
+        np.asarray(joint_limits, np.float32),
+    )

@@ -54,6 +54,18 @@ def test_deformations_change_proportions_and_keep_centre_and_symmetry(category: 
     assert 0.5 < np.min(sizes) < np.max(sizes) < 2
 
 
+def test_deformed_laptops_stay_flat_and_deformed_lenses_almost_round() -> None:
+    rng = np.random.default_rng(1)
+    laptop, camera = (make_shape(category, np.random.default_rng(8)) for category in ("laptop", "camera"))
+    for _ in range(20):
+        before = laptop.parts[0].vertices
+        away = np.abs(before).min(1) > 0.01
+        stretched = deformed(laptop, rng).parts[0].vertices[away] / before[away]
+        assert np.ptp(stretched, axis=0).max() < 1e-3, "one factor for all points"
+        ratio = deformed(camera, rng).sizes[0] / camera.sizes[0]
+        assert ratio[1] / ratio[2] == pytest.approx(1.0, abs=0.18)
+
+
 def test_library_objects_come_in_at_most_their_share(library: Path) -> None:
     meshes = load_meshes(library, "mug", "train")
     draw = shape_source("mug", meshes, mesh_fraction=0.5)

@@ -46,3 +46,16 @@ def test_walks_start_at_zero_and_peak_at_the_given_speed() -> None:
     assert speed.max() == pytest.approx(0.3)
     acceleration = np.linalg.norm(np.diff(path, 2, axis=0), axis=1) * FRAMES_PER_SECOND**2
     assert acceleration.max() < 5 * 0.3 * 2 * np.pi * 0.7
+
+
+@pytest.mark.parametrize(
+    ("category", "motion"), [("bowl", "hand"), ("can", "table"), ("camera", "hand"), ("laptop", "table")]
+)
+def test_every_rigid_category_can_be_filmed(category: str, motion: Motion) -> None:
+    recording = make_sequence(make_shape(category, np.random.default_rng(3)), 1, 3, motion)
+    assert recording.category.name == category
+    assert all((labels == 0).sum() >= 40 for labels in recording.labels)
+    for frame, cloud in enumerate(recording.clouds):
+        own = (cloud[recording.labels[frame] == 0] - recording.translation[frame, 0]) @ recording.rotation[frame, 0]
+        beyond = np.abs(own) - recording.size[0] / 2
+        assert np.quantile(beyond.max(1), 0.9) < 0.012

@@ -2,10 +2,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import trimesh
 from scipy.spatial import cKDTree
 
 from captra.data.depth_camera import DepthNoise
-from captra.data.hands import make_holder
+from captra.data.habits import Habits
+from captra.data.holders import make_holder
 from captra.data.rendering import Camera
 from captra.data.scenes import held_scene, make_scene, resting_rotation, table_scene
 from captra.data.shapes import make_shape
@@ -14,7 +16,7 @@ from captra.data.view import View, ball_radius
 from captra.data.views import HiddenObjectError, ViewOptions, draw_orbit, make_view, photograph
 from captra.geometry import is_rotation
 
-CATEGORIES = ("bottle", "mug")
+CATEGORIES = ("bottle", "bowl", "camera", "can", "laptop", "mug")
 
 
 def draw_view(category: str, seed: int) -> View:
@@ -37,7 +39,7 @@ def test_a_view_depends_on_its_seed_only(category: str) -> None:
 
 
 @pytest.mark.parametrize("category", CATEGORIES)
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", range(6))
 def test_labels_and_pose_agree_up_to_the_noise(category: str, seed: int) -> None:
     view = draw_view(category, seed)
     assert view.points.dtype == np.float32
@@ -51,7 +53,7 @@ def test_labels_and_pose_agree_up_to_the_noise(category: str, seed: int) -> None
 
 
 @pytest.mark.parametrize("category", CATEGORIES)
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(4))
 def test_without_noise_labelled_points_lie_on_the_posed_object(category: str, seed: int) -> None:
     rng = np.random.default_rng([6, seed])
     shape = make_shape(category, rng)
@@ -59,10 +61,8 @@ def test_without_noise_labelled_points_lie_on_the_posed_object(category: str, se
     view = photograph(scene, camera, draw_orbit(scene, camera, rng), DepthNoise(), rng, ViewOptions())
     assert outside_box(view).max(initial=0) < 1e-4
     own = (view.points[view.labels == 0] - view.translation[0]) @ view.rotation[0]
-    mesh = shape.parts[0]
-    corners = mesh.vertices[mesh.faces]
-    weights = rng.dirichlet(np.ones(3), (len(corners), 8))
-    surface = np.einsum("fsk,fkd->fsd", weights, corners).reshape(-1, 3)
+    mesh = trimesh.Trimesh(*shape.parts[0], process=False)
+    surface = trimesh.sample.sample_surface(mesh, 40_000, seed=seed)[0]
     if len(own):
         assert np.median(cKDTree(surface).query(own)[0]) < 0.004
 
@@ -101,18 +101,18 @@ def test_lying_objects_rest_on_their_convex_hull() -> None:
     vertices = make_shape("bottle", rng).parts[0].vertices
     lying = 0
     for _ in range(60):
-        rotation = resting_rotation(rng, vertices)
+        rotation = resting_rotation(rng, vertices, Habits())
         assert is_rotation(rotation)
         lying += abs(rotation[1, 1]) < 0.5
     assert lying > 3
 
 
 @pytest.mark.parametrize("category", CATEGORIES)
-@pytest.mark.parametrize("seed", range(15))
+@pytest.mark.parametrize("seed", range(8))
 def test_hands_touch_what_they_hold(category: str, seed: int) -> None:
     rng = np.random.default_rng([7, seed])
     vertices = make_shape(category, rng).parts[0].vertices
-    holder = make_holder(rng, vertices, handle=category == "mug")
+    holder = make_holder(rng, vertices, category)
     assert np.isfinite(holder.vertices).all()
     assert cKDTree(holder.vertices).query(vertices)[0].min() < 0.02
 

@@ -102,7 +102,7 @@ def test_learning_rate_halves_evenly_and_stages_follow_each_other() -> None:
     plan = Plan(samples=1000, halvings=4)
     assert plan.learning_rate_at(500) == pytest.approx(plan.learning_rate / 4)
     assert plan.learning_rate_at(2000) == plan.learning_rate_at(1000)
-    assert [len(plan.stage_at(n).profiles) for n in (0, 699, 700, 899, 900, 1000)] == [1, 1, 2, 2, 4, 4]
+    assert [len(plan.stage_at(n).profiles) for n in (0, 849, 850, 959, 960, 1000)] == [1, 1, 2, 2, 3, 3]
 
 
 def test_curves_are_drawn_from_a_long_enough_log(tmp_path: Path) -> None:

@@ -1,0 +1,59 @@
+"""Whose word counts for a part's rotation: RotationNet's alone, or also that of the fit to the coordinates."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Protocol
+
+import numpy as np
+from jaxtyping import Float64
+
+from captra.fitting import rotation_about_axis
+
+
+class RotationFusion(Protocol):
+    """Chooses one rotation from two."""
+
+    def __call__(
+        self, from_rotation_net: Float64[np.ndarray, "3 3"], from_coordinates: Float64[np.ndarray, "3 3"]
+    ) -> Float64[np.ndarray, "3 3"]:
+        """The rotation R_camera_part to go on with, from RotationNet's and from that of the full Umeyama fit."""
+
+
+class RotationNetAlone:
+    """As the paper has it."""
+
+    def __call__(
+        self,
+        from_rotation_net: Float64[np.ndarray, "3 3"],
+        from_coordinates: Float64[np.ndarray, "3 3"],  # noqa: ARG002 - asked for by the protocol
+    ) -> Float64[np.ndarray, "3 3"]:
+        """RotationNet's."""
+        return from_rotation_net
+
+
+@dataclass(frozen=True)
+class TurnFromCoordinates:
+    """RotationNet's tilt, but the turn about one object axis from the coordinates.
+
+    The turn of an upright object that one small feature tells, a mug's handle, is what a regression over all points
+    learns last, while each point on the feature speaks for it in the coordinates.
+    """
+
+    axis: tuple[float, float, float]
+    """Unit axis in the part's frame."""
+
+    def __call__(
+        self, from_rotation_net: Float64[np.ndarray, "3 3"], from_coordinates: Float64[np.ndarray, "3 3"]
+    ) -> Float64[np.ndarray, "3 3"]:
+        """RotationNet's, turned about its own axis to where the coordinates are closest."""
+        difference = from_rotation_net.T @ from_coordinates
+        return np.asarray(from_rotation_net @ rotation_about_axis(difference, np.array(self.axis)))
+
+
+ROTATION_NET_ALONE: RotationFusion = RotationNetAlone()
+
+ROTATION_FUSIONS: Mapping[str, RotationFusion] = MappingProxyType(
+    {"rotation-net": ROTATION_NET_ALONE, "turn-about-y-from-coordinates": TurnFromCoordinates((0.0, 1.0, 0.0))}
+)
+"""By the names that manifests use."""
