@@ -31,12 +31,12 @@ def rough_pose(centre: Vector, up: Vector, handle: Vector, size: Vector) -> Pose
 def main(
     frame: Annotated[Path, typer.Argument(help="One frame with depth_mm and K.")],
     out: Annotated[Path, typer.Argument(help="Picture to write.")],
-    centre: Annotated[Vector, typer.Option(help="Centre of the box, m.")] = (0.02, 0.03, 0.50),
+    centre: Annotated[Vector, typer.Option(help="Centre of the box, m.")] = (-0.01, 0.03, 0.51),
     up: Annotated[Vector, typer.Option(help="Direction of the mug's axis.")] = (0.0, -0.9, -0.4),
     handle: Annotated[Vector, typer.Option(help="Direction of the handle.")] = (-1.0, 0.0, 0.1),
-    size: Annotated[Vector, typer.Option(help="Size of the box, m.")] = (0.11, 0.11, 0.09),
+    size: Annotated[Vector, typer.Option(help="Size of the box, m.")] = (0.125, 0.11, 0.085),
     models: Annotated[Path, typer.Option(help="Folder of bundles.")] = Path("models"),
-    steps: Annotated[int, typer.Option(help="How often the same frame is given.")] = 15,
+    steps: Annotated[int, typer.Option(help="How often the same frame is given.")] = 30,
 ) -> None:
     """Track one frame over and over, print how the pose settles, and draw first and last pose."""
     with np.load(frame) as stored:

@@ -25,7 +25,7 @@ STORED_DEPTH_M = 3.1
 """Somewhat less than the 3.27 m that int16 multiples of 0.1 mm reach."""
 
 
-FARTHEST_SCALES = 5.5
+FARTHEST_SCALES = 4.5
 """Small pre-segmented objects are not looked at from further than that many of their scales."""
 FRINGE_M = 0.03
 """What is seen around a pre-segmented object."""

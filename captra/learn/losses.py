@@ -34,14 +34,19 @@ def part_masks(labels: Int[Tensor, "batch N"], parts: int) -> Float[Tensor, "bat
 
 
 def segmentation_loss(logits: Float[Tensor, "batch classes N"], labels: Int[Tensor, "batch N"]) -> Float[Tensor, ""]:
-    """Relaxed IoU (Yi et al. 2018) and cross entropy, which gives it a slope where masks do not overlap yet."""
-    probability = logits.softmax(dim=1)
-    truth = nn.functional.one_hot(labels, logits.shape[1]).movedim(-1, 1).to(probability.dtype)
+    """Relaxed IoU (Yi et al. 2018) and cross entropy, which gives it a slope where masks do not overlap yet.
+
+    Points whose label is none of the classes, strays on a pre-segmented object, do not count.
+    """
+    classes = logits.shape[1]
+    counted = (labels < classes).unsqueeze(1)
+    probability = logits.softmax(dim=1) * counted
+    truth = nn.functional.one_hot(labels.clamp(max=classes - 1), classes).movedim(-1, 1) * counted.to(logits.dtype)
     shared = (probability * truth).sum(dim=-1)
     union = (probability + truth - probability * truth).sum(dim=-1)
     present = (truth.sum(dim=-1) > 0).float()
     relaxed = ((1 - shared / union.clamp(min=1e-6)) * present).sum() / present.sum()
-    return relaxed + nn.functional.cross_entropy(logits, labels)
+    return relaxed + nn.functional.cross_entropy(logits, labels.masked_fill(labels >= classes, -100), ignore_index=-100)
 
 
 def coordinate_loss(

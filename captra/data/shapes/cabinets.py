@@ -88,10 +88,7 @@ def _stand(rng: np.random.Generator, plan: CabinetPlan) -> list[Mesh]:
         inset = between(rng, 0.0, 0.03) if chance(rng, 0.5) else 0.0
         return [board((-x + inset, 0, -z + inset), (x - inset, foot + 1e-4, z - back))]
     if kind == "sides":
-        sides = [
-            board(tuple(np.array([s - plan.panel / 2, 0, -z])), tuple(np.array([s + plan.panel / 2, foot + 1e-4, z])))
-            for s in (-x + plan.panel / 2, x - plan.panel / 2)
-        ]
+        sides = [board((left, 0, -z), (left + plan.panel, foot + 1e-4, z)) for left in (-x, x - plan.panel)]
         return [*sides, board((-x, 0, z - back - plan.panel), (x, foot + 1e-4, z - back))]
     thick = between(rng, 0.012, 0.045) * min(1.0, plan.width / 0.4)
     inset = thick / 2 + (between(rng, 0.0, 0.04) if kind == "legs" else 0.0)

@@ -1,6 +1,5 @@
 """What slides: a front with its handle, and an open box behind it that is seen into from above."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -97,10 +96,8 @@ class DrawerBuilder:
         left, low, right, high = cell
         size = right - left + 2 * self.margin[0], high - low + 2 * self.margin[1]
         front = Rectangle.centred(*size)
-        place: Callable[[Mesh], Mesh] = lambda mesh: mesh.moved(  # noqa: E731
-            TO_FRONT, np.array([(left + right) / 2, (low + high) / 2, self.face])
-        )
-        return [place(mesh) for mesh in self._face(front)] + self.handle(cell, self.face)
+        at = np.array([(left + right) / 2, (low + high) / 2, self.face])
+        return [mesh.moved(TO_FRONT, at) for mesh in self._face(front)] + self.handle(cell, self.face)
 
     def _face(self, front: Rectangle) -> list[Mesh]:
         """Lying: its outer side up at y = 0."""

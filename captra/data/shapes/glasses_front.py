@@ -113,7 +113,7 @@ def make_front(rng: np.random.Generator, plan: FrontPlan) -> tuple[list[Mesh], F
 
 def _lens(rng: np.random.Generator, plan: FrontPlan) -> list[Mesh]:
     """Clear lenses that a depth camera looks through are left out where a rim stands for them."""
-    if plan.rim in {"wire", "broad"} and chance(rng, 0.12):
+    if plan.rim in {"wire", "broad"} and not plan.shield and chance(rng, 0.12):
         return []
     middle = (plan.outline.max(0) + plan.outline.min(0)) / 2
     if plan.shield:

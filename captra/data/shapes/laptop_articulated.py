@@ -1,6 +1,7 @@
 """Laptops that open: closed at rest, hinge along x at -z, front towards +z."""
 
 import numpy as np
+from jaxtyping import Float64
 
 from captra.data.shapes.draws import between, chance, pick
 from captra.data.shapes.laptop_parts import LaptopPlan, draw_plan, make_base, make_lid
@@ -43,7 +44,7 @@ def _pivot_height(rng: np.random.Generator, plan: LaptopPlan, gap: float) -> flo
     )
 
 
-def _barrels(rng: np.random.Generator, plan: LaptopPlan, pivot: np.ndarray, gap: float) -> list[Mesh]:
+def _barrels(rng: np.random.Generator, plan: LaptopPlan, pivot: Float64[np.ndarray, " 3"], gap: float) -> list[Mesh]:
     """Round hinges about the pivot, below the back of the display: one wide, two short, or hidden."""
     count = pick(rng, ((3, 0), (2, 1), (4, 2)))
     if count == 0:

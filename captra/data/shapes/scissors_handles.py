@@ -72,7 +72,7 @@ def draw_handles(
         bar=bar,
         height=height,
         gap=pick(rng, ((4, between(rng, 0.0002, 0.003)), (1, between(rng, 0.003, 0.014)))),
-        shank=max(blade_width * between(rng, 0.8, 1.3), bar),
+        shank=max(blade_width * between(rng, 0.8, 1.4), bar * (between(rng, 0.9, 2.6) if moulded else 1.0)),
         root_thickness=blade_thickness + (between(rng, 0.0005, 0.004) * size if moulded else 0.0),
         root=between(rng, 0.0, 0.02) * size if moulded else 0.0,
         level=0.0 if levelled else -between(rng, 0.2, 0.6) * height,

@@ -5,7 +5,7 @@ import pytest
 
 from captra.categories import get_category
 from captra.data.recordings import Recording
-from captra.data.sequences import make_sequence
+from captra.data.sequences import Motion, make_sequence
 from captra.data.shapes import make_shape
 from captra.data.shapes.kinematics import part_motions
 from captra.data.shapes.shape import Shape
@@ -69,7 +69,7 @@ def test_the_largest_cabinets_stay_within_what_shards_store() -> None:
 
 @pytest.mark.parametrize("category", CATEGORIES)
 def test_sequences_move_the_joints_and_start_with_every_part_in_sight(category: str) -> None:
-    motion = "hand" if category in {"glasses", "scissors"} else "table"
+    motion: Motion = "hand" if category in {"glasses", "scissors"} else "table"
     recording: Recording = make_sequence(make_shape(category, np.random.default_rng(6)), 2, 4, motion)
     kinematics = get_category(category)
     counts = np.bincount(recording.labels[0], minlength=kinematics.num_parts)

@@ -113,3 +113,13 @@ def test_a_sample_fits_its_own_truth() -> None:
     np.testing.assert_allclose(mapped[inside], sample.points[0][inside], atol=1e-4)
     assert np.abs(sample.coordinates[0][inside]).max() < 0.5
     assert replace(sample).aspect[0] == pytest.approx(2 * np.abs(sample.coordinates[0][inside]).max(axis=0), abs=0.05)
+
+
+def test_stray_points_of_no_class_do_not_count() -> None:
+    _, truth, _ = batch("laptop_articulated")
+    logits = torch.randn(3, 2, 256, generator=torch.Generator().manual_seed(0))
+    labels = truth.labels.clone()
+    labels[:, ::10] = 2
+    spoiled = logits.clone()
+    spoiled[:, :, ::10] = 7 * spoiled[:, :, ::10]
+    torch.testing.assert_close(losses.segmentation_loss(logits, labels), losses.segmentation_loss(spoiled, labels))
