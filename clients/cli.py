@@ -20,13 +20,15 @@ EncodingName = Annotated[Literal["i16", "f32"], typer.Option(help="How clouds ar
 
 
 def track(
-    recording: Annotated[Path, typer.Argument(help="A recording, *.npz.", exists=True, dir_okay=False)],
+    recordings: Annotated[
+        list[Path], typer.Argument(metavar="RECORDING...", help="Recordings, *.npz.", exists=True, dir_okay=False)
+    ],
     url: Url = None,
     as_fast_as_possible: Pace = False,
     profile: ProfileName = None,
     encoding: EncodingName = "i16",
 ) -> None:
-    """Play a recording through a running service and compare the poses with the truth.
+    """Play recordings through a running service and compare the poses with the truth; several end with their mean.
 
     Example:
 
@@ -37,16 +39,20 @@ def track(
     from captra.data.recordings import load_recording
     from clients.console import errors_for_people, view_for
     from clients.playback import play_through
-    from clients.report import table_of
+    from clients.report import means_of, table_of
 
-    console = Console()
-    with errors_for_people(), view_for(console) as view:
-        playback = play_through(
-            url,
-            load_recording(recording),
-            view,
-            as_fast_as_possible=as_fast_as_possible,
-            profile=profile,
-            encoding=encoding,
-        )
-    console.print(table_of(playback))
+    console, playbacks = Console(), []
+    for path in recordings:
+        with errors_for_people(), view_for(console) as view:
+            playback = play_through(
+                url,
+                load_recording(path),
+                view,
+                as_fast_as_possible=as_fast_as_possible,
+                profile=profile,
+                encoding=encoding,
+            )
+        console.print(table_of(playback))
+        playbacks.append(playback)
+    if len(playbacks) > 1:
+        console.print(means_of(playbacks))

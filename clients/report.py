@@ -7,6 +7,8 @@ from rich.table import Table
 
 from captra import metrics
 from captra.evaluation.scoring import SequenceScore, score
+from captra.evaluation.summary import average, summarize
+from captra.evaluation.table import table as summary_table
 from captra.health import State
 from clients.playback import Playback
 
@@ -26,6 +28,12 @@ def table_of(playback: Playback) -> Table:
             table.add_row(measure, value)
         table.add_section()
     return table
+
+
+def means_of(playbacks: Sequence[Playback]) -> Table:
+    """One row a recording, and their mean."""
+    rows = [summarize(score(playback.recording, playback.poses())) for playback in playbacks]
+    return summary_table([*rows, average(f"all: mean of {len(rows)} recordings", rows)], "through the service")
 
 
 def track_rows(playback: Playback) -> Iterator[Row]:

@@ -15,7 +15,9 @@ def train(
         Path, typer.Option(help="Campaign folder: views are read from it, state goes to it.")
     ] = DEFAULT_FOLDER,
     run: Annotated[str, typer.Option(help="Name of the run: one state and one log each.")] = "run",
-    start_from: Annotated[Path | None, typer.Option(help="Folder of another run whose weights to start from.")] = None,
+    start_from: Annotated[
+        Path | None, typer.Option(help="Folder with coordinate.pt and rotation.pt to start from, e.g. checkpoints/mug.")
+    ] = None,
     threads: Annotated[int, typer.Option(help="CPU threads.")] = 1,
     seed: Annotated[int, typer.Option(help="Of weights, views and perturbations.")] = 1,
 ) -> None:

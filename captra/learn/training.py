@@ -15,7 +15,7 @@ from torch.optim.swa_utils import AveragedModel
 
 from captra.categories import Category
 from captra.data.view import View
-from captra.learn.checkpoint import save_checkpoint
+from captra.learn.checkpoint import load_coordinate_net, load_rotation_net, save_checkpoint
 from captra.learn.coordinate_net import CoordinateNet
 from captra.learn.objectives import coordinate_objective, rotation_objective
 from captra.learn.perturbation import PerturbationMix, rotation_fusion_for
@@ -133,12 +133,17 @@ class Trainer:
             self._resume()
 
     def start_from(self, folder: Path) -> None:
-        """Take over the averaged weights of another run of the same category."""
-        state = torch.load(folder / STATE_FILE, weights_only=True)
-        for learner, name in ((self.coordinate, "coordinate"), (self.rotation, "rotation")):
-            learner.average.load_state_dict(state[name]["average"])
-            learner.network.load_state_dict(learner.averaged.state_dict())
-            learner.average.n_averaged.zero_()
+        """Take over the weights of checkpoints of the same category: another run's folder, or what the project ships.
+
+        Raises:
+            CheckpointError: they are missing, or of another category.
+        """
+        self.coordinate.network.load_state_dict(
+            load_coordinate_net(folder / "coordinate.pt", self.category).state_dict()
+        )
+        self.rotation.network.load_state_dict(load_rotation_net(folder / "rotation.pt", self.category).state_dict())
+        self.coordinate.restart()
+        self.rotation.restart()
         self.progress.rotation_started = True
 
     def run(self, report: Callable[[Progress, dict[str, float]], None], save_every_s: float = 120.0) -> None:

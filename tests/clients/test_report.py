@@ -8,7 +8,7 @@ from rich.console import Console
 from captra.health import State
 from clients import Event
 from clients.playback import Playback
-from clients.report import failure, percentiles, table_of
+from clients.report import failure, means_of, percentiles, table_of
 from tests.clients.test_playback import perfect, playback, result
 
 TURNED_20_DEG = (0.0, float(np.sin(np.radians(10))), 0.0, float(np.cos(np.radians(10))))
@@ -100,3 +100,10 @@ def test_it_did_not_hold_when_the_results_stopped_early() -> None:
     reason = failure(playback(perfect()[:2]))
     assert reason is not None
     assert "6.0 cm" in reason
+
+
+def test_several_recordings_end_with_their_mean() -> None:
+    table = means_of([playback(perfect()), playback(perfect())])
+    assert table.row_count == 3
+    assert list(table.columns[0].cells)[-1] == "all: mean of 2 recordings"
+    assert list(table.columns[1].cells) == ["100.0"] * 3
