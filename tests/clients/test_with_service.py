@@ -141,7 +141,7 @@ def test_closing_by_the_service_is_noticed(service: Running, url: str) -> None:
 def test_captra_track_plays_a_recording_and_ends_with_the_table(
     url: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], as_fast_as_possible: bool
 ) -> None:
-    track(saved(drifting_mug(), tmp_path), url=url, as_fast_as_possible=as_fast_as_possible)
+    track([saved(drifting_mug(), tmp_path)], url=url, as_fast_as_possible=as_fast_as_possible)
     printed = capsys.readouterr().out
     assert "frame    0  tracking" in printed
     for measure in ("frames sent / answered", "rotation error", "translation error", "5°5cm", "IoU", "p50 / p95 / p99"):

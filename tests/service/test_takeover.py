@@ -2,6 +2,7 @@
 
 import threading
 import time
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack
 
 import httpx
@@ -89,22 +90,24 @@ def test_stopping_ends_quickly_while_clients_stream_and_listen() -> None:
 
         def put() -> None:
             seq = 0
-            while not stop.is_set():
+            while not stop.wait(0.002):
                 for camera in cameras:
                     camera.put(f32(blob()), seq)
                 seq += 1
 
-        putting = threading.Thread(target=put)
-        putting.start()
-        for each in opened:
-            inbox(network, each["zenoh"]["pose"]).message(5)
-        started_s = time.monotonic()
-        service.service.stop()
-        assert time.monotonic() - started_s < 3
-        assert not [thread for thread in threading.enumerate() if thread.name.startswith("captra-stream")]
-        assert [inbox.wait_for("closing")["reason"] for inbox in events] == ["shutdown"] * 3
-        stop.set()
-        putting.join()
+        with ThreadPoolExecutor(1) as pool:
+            putting = pool.submit(put)
+            try:
+                for each in opened:
+                    inbox(network, each["zenoh"]["pose"]).message(5)
+                started_s = time.monotonic()
+                service.service.stop()
+                assert time.monotonic() - started_s < 3
+                assert not [thread for thread in threading.enumerate() if thread.name.startswith("captra-stream")]
+                assert [inbox.wait_for("closing")["reason"] for inbox in events] == ["shutdown"] * 3
+            finally:
+                stop.set()
+            putting.result()
         assert len(late) > 0
         with pytest.raises(NotReadyError):
             service.service.readiness.check()
