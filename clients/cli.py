@@ -37,6 +37,7 @@ def track(
     from rich.console import Console
 
     from captra.data.recordings import load_recording
+    from captra.evaluation.table import WIDTH
     from clients.console import errors_for_people, view_for
     from clients.playback import play_through
     from clients.report import means_of, table_of
@@ -55,4 +56,4 @@ def track(
         console.print(table_of(playback))
         playbacks.append(playback)
     if len(playbacks) > 1:
-        console.print(means_of(playbacks))
+        Console(width=WIDTH).print(means_of(playbacks))

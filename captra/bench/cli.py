@@ -31,12 +31,12 @@ def bench(
 
     from captra.bench.machine import this_machine
     from captra.bench.streams import run_streams
-    from captra.bench.table import table
+    from captra.bench.table import WIDTH, table
     from captra.data.recordings import load_recording
     from captra.runtime.onnx_networks import OnnxNetworks
     from captra.sampling import PROFILES
 
-    console, machine, played = Console(), this_machine(), load_recording(recording)
+    console, machine, played = Console(width=WIDTH), this_machine(), load_recording(recording)
     console.print(f"{machine.cpu}, {machine.cores} cores, Python {machine.python}, {machine.packages}")
     runs = []
     for name in profile or sorted(PROFILES):

@@ -6,6 +6,9 @@ from rich.table import Table
 
 from captra.bench.streams import BenchRun, Percentiles
 
+WIDTH = 180
+"""Columns that the table takes, whatever the terminal."""
+
 COLUMNS = (
     "category",
     "profile",

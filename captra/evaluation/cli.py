@@ -15,9 +15,6 @@ ProfileName = Annotated[str, typer.Option(help="realtime or paper.")]
 Provider = Annotated[str, typer.Option(help="cpu, openvino, cuda or auto.")]
 
 DEFAULT_MODELS = Path("models")
-WIDTH = 140
-"""Columns of the printed tables, whatever the terminal: they are read in logs too."""
-
 DEFAULT_RECORDINGS = Path("recordings")
 
 
@@ -43,7 +40,7 @@ def evaluate(
     from captra.evaluation.sequences import procedural as make
     from captra.evaluation.sequences import recordings_in
     from captra.evaluation.summary import Summary, as_json, average, markdown, summarize
-    from captra.evaluation.table import table
+    from captra.evaluation.table import WIDTH, table
 
     console, rows = Console(width=WIDTH), list[Summary]()
     for name in category or _available(models):
@@ -82,7 +79,7 @@ def response(
 
     from captra.evaluation.response import response as test
     from captra.evaluation.sequences import recordings_in
-    from captra.evaluation.table import response_table
+    from captra.evaluation.table import WIDTH, response_table
 
     console = Console(width=WIDTH)
     for name in category or _available(models):

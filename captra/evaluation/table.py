@@ -8,6 +8,9 @@ from rich.table import Table
 from captra.evaluation.response import ANGLES_DEG, Response
 from captra.evaluation.summary import COLUMNS, Summary, cells
 
+WIDTH = 140
+"""Columns that the tables take, whatever the terminal: they are read in logs too."""
+
 
 def table(rows: Iterable[Summary], title: str) -> Table:
     """Scores, one row a sequence or mean."""
