@@ -130,8 +130,3 @@ def box_corners(size: Float[Array, "*batch 3"]) -> Float64[Array, "*batch 8 3"]:
     """The eight corners of centred boxes, in the box's own frame."""
     signs = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0.5)])
     return np.asarray(np.asarray(size, np.float64)[..., None, :] * signs)
-
-
-def transform(pose: Pose, points_part: Float[Array, "parts points 3"]) -> Float64[Array, "parts points 3"]:
-    """Rotate and translate metric points of each part's frame into the camera frame."""
-    return np.asarray(points_part @ np.swapaxes(pose.rotation, -1, -2) + pose.translation[:, None])
