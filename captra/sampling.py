@@ -10,6 +10,7 @@ from jaxtyping import Float, Float32, Int32, Int64
 from captra.compiled import compiled
 from captra.farthest import farthest_order
 from captra.geometry import Pose
+from captra.observations import Crop, Observation
 
 RADII = ((0.05, 0.1, 0.2), (0.2, 0.4))
 """Radii of the groups of both set-abstraction levels, in canonical units (box diagonal = 1)."""
@@ -68,19 +69,17 @@ class NoPointsError(ValueError):
     """The cloud has no point near the object."""
 
 
-def crop_ball(points: Float32[np.ndarray, "all 3"], pose: Pose, root: int) -> Int64[np.ndarray, " inside"]:
-    """Indices of the points around the last centre (0.6 × scale, at least 5 cm, grown while nearly empty).
+def crop_ball(observation: Observation, pose: Pose, root: int) -> Crop:
+    """The points around the last centre (0.6 × scale, at least 5 cm, grown while nearly empty).
 
     Raises:
         NoPointsError: when even the largest ball holds fewer than ten points.
     """
-    difference = points - pose.translation[root].astype(np.float32)
-    squared = np.einsum("ni,ni->n", difference, difference)
     radius = max(MINIMUM_CROP_RADIUS_M, CROP_RADIUS_PER_SCALE * float(pose.scale[root]))
     for _ in range(CROP_ATTEMPTS + 1):
-        inside = squared < radius * radius
-        if np.count_nonzero(inside) >= MINIMUM_CROP_POINTS:
-            return np.flatnonzero(inside)
+        crop = observation.near(pose.translation[root], radius)
+        if len(crop) >= MINIMUM_CROP_POINTS:
+            return crop
         radius *= CROP_GROWTH
     raise NoPointsError(
         f"fewer than {MINIMUM_CROP_POINTS} points within {radius / CROP_GROWTH:.2f} m of the last pose: "

@@ -6,7 +6,7 @@ from time import perf_counter
 from typing import Protocol
 
 import numpy as np
-from jaxtyping import Float, Float32, Int64
+from jaxtyping import Float, Float32, UInt8
 
 from captra import sampling
 from captra.canonical import canonicalize
@@ -14,8 +14,10 @@ from captra.categories import Category
 from captra.geometry import Pose
 from captra.health import Evidence, HealthMonitor, State
 from captra.joints import JointValue, joint_values
+from captra.observations import Crop, Observation, PointCloud
 from captra.rotation_fusion import RotationFusion
 from captra.sampling import InputSampling, Neighborhoods, Profile, build_neighborhoods
+from captra.segmentation import NOTHING_KNOWN, Segmentation, overrule, without_background
 from captra.size_memory import GIVEN_WEIGHT_FRAMES, SizeMemory
 from captra.solving import Prediction, hold_gauge, per_point_rotations, reject_leaps, solve
 
@@ -116,20 +118,29 @@ class Tracker:
         self._size = SizeMemory.of(pose, self._given_weight_frames)
         self._health = self._health.restarted()
 
-    def step(self, cloud: Float[np.ndarray, "all 3"]) -> TrackResult:
-        """Find the object in `cloud`, given where it was.
+    def step(
+        self, observed: Observation | Float[np.ndarray, "all 3"], segmentation: Segmentation = NOTHING_KNOWN
+    ) -> TrackResult:
+        """Find the object in what a sensor saw, given where it was.
+
+        Args:
+            observed: a cloud as an array, metres, or any other observation.
+            segmentation: what is known beforehand of which points belong to the object; it overrules CoordinateNet.
 
         Raises:
-            NoPointsError: the cloud has no point near the object; the tracker stays as it was.
+            NoPointsError: nothing was seen near the object; the tracker stays as it was.
         """
         last, started = self._pose, perf_counter()
         networks = self._networks
-        cloud = np.asarray(cloud, np.float32)
-        points = cloud[choose_points(cloud, last, self._category, networks.profile.points, networks.input_sampling)]
+        observation = PointCloud.of(observed) if isinstance(observed, np.ndarray) else observed
+        crop = choose_points(
+            observation, last, self._category, networks.profile.points, networks.input_sampling, segmentation
+        )
+        points, labels = crop.points, segmentation.labels(crop.indices)
         points_canonical = canonicalize(points, last)
         neighborhoods = [build_neighborhoods(part, networks.profile) for part in points_canonical]
         sampled = perf_counter()
-        prediction = predict(networks, points_canonical, neighborhoods)
+        prediction = predict(networks, points_canonical, neighborhoods, labels)
         inferred = perf_counter()
         pose, evidence = solve(points, prediction, last, self._category, networks.rotation_fusion)
         self._health = self._health.updated(evidence)
@@ -142,32 +153,41 @@ class Tracker:
 
 
 def choose_points(
-    cloud: Float32[np.ndarray, "all 3"], last: Pose, category: Category, count: int, density: InputSampling
-) -> Int64[np.ndarray, " count"]:
+    observation: Observation,
+    last: Pose,
+    category: Category,
+    count: int,
+    density: InputSampling,
+    segmentation: Segmentation = NOTHING_KNOWN,
+) -> Crop:
     """Crop around the last pose where there are surroundings, then pick `count` points in farthest-point order.
 
     Raises:
-        NoPointsError: the cloud has no point near the object.
+        NoPointsError: nothing was seen near the object.
     """
     if not category.background:
-        if len(cloud) < sampling.MINIMUM_CROP_POINTS:
-            raise sampling.NoPointsError(f"the cloud has only {len(cloud)} points: send the segmented object")
-        return sampling.farthest_points(cloud, count)
-    inside = sampling.crop_ball(cloud, last, category.root)
+        whole = without_background(observation.whole(), segmentation)
+        if len(whole) < sampling.MINIMUM_CROP_POINTS:
+            raise sampling.NoPointsError(f"the cloud has only {len(whole)} points: send the segmented object")
+        return whole.chosen(sampling.farthest_points(whole.points, count))
+    crop = sampling.crop_ball(observation, last, category.root)
     root = last.part(category.root)
     aspect = (root.size / root.scale[:, None])[0]
-    weights = sampling.sampling_weights(canonicalize(cloud[inside], root)[0], aspect, density)
-    return np.asarray(inside[sampling.farthest_points(cloud[inside], count, weights)])
+    weights = sampling.sampling_weights(canonicalize(crop.points, root)[0], aspect, density)
+    return crop.chosen(sampling.farthest_points(crop.points, count, weights))
 
 
 def predict(
     networks: Networks,
     points_canonical: Float32[np.ndarray, "parts points 3"],
     neighborhoods: Sequence[Neighborhoods],
+    labels: UInt8[np.ndarray, " points"] | None = None,
 ) -> Prediction:
-    """Run both networks on the canonical clouds."""
+    """Run both networks on the canonical clouds; `labels` (see `captra.segmentation`) overrule CoordinateNet's."""
     root = networks.category.root
     segmentation, coordinates = networks.coordinates(points_canonical[root], neighborhoods[root])
+    if labels is not None:
+        segmentation = overrule(segmentation, labels, networks.category)
     raw_rotations = networks.rotations(points_canonical, neighborhoods)
     return Prediction(
         segmentation=segmentation,

@@ -14,6 +14,7 @@ from captra.data.view import View
 from captra.geometry import Pose
 from captra.learn.perturbation import PerturbationMix, perturb_for_training
 from captra.learn.pointnet2 import TorchNeighborhoods
+from captra.observations import PointCloud
 from captra.sampling import InputSampling, Neighborhoods, Profile, build_neighborhoods
 from captra.tracker import choose_points
 
@@ -74,14 +75,14 @@ class SampleMaker:
         truth = Pose.from_size(view.rotation, view.translation, view.size)
         last = perturb_for_training(truth, self.category, self.mix, rng)
         cloud, labels = thin_out(view.points, view.labels, rng)
-        chosen = choose_points(cloud, last, self.category, profile.points, self.density)
-        points = cloud[chosen]
+        crop = choose_points(PointCloud.of(cloud), last, self.category, profile.points, self.density)
+        points = crop.points
         points_canonical = canonicalize(points, last)
         inverse = np.swapaxes(last.rotation, -1, -2)
         return Sample(
             points=points_canonical,
             neighborhoods=tuple(build_neighborhoods(part, profile) for part in points_canonical),
-            labels=labels[chosen].astype(np.int64),
+            labels=labels[crop.indices].astype(np.int64),
             coordinates=canonicalize(points, truth),
             rotation=(inverse @ truth.rotation).astype(np.float32),
             translation=(

@@ -5,6 +5,7 @@ from hypothesis import strategies as st
 
 from captra import sampling
 from captra.geometry import Pose, axis_angle
+from captra.observations import PointCloud
 from captra.sampling import PROFILES, RADII, InputSampling
 
 
@@ -81,26 +82,26 @@ def test_neighborhoods_have_the_shapes_of_the_profile(profile: sampling.Profile)
 def test_crop_keeps_what_is_within_six_tenths_of_the_scale() -> None:
     points = cloud(5, 5000)
     pose = pose_at((0.1, 0, 0), 0.3)
-    inside = sampling.crop_ball(points, pose, 0)
+    inside = sampling.crop_ball(PointCloud.of(points), pose, 0)
     np.testing.assert_array_equal(
-        inside, np.flatnonzero(np.linalg.norm(points - [0.1, 0, 0], axis=1) < 0.6 * pose.scale[0])
+        inside.indices, np.flatnonzero(np.linalg.norm(points - [0.1, 0, 0], axis=1) < 0.6 * pose.scale[0])
     )
 
 
 def test_crop_is_never_smaller_than_five_centimetres() -> None:
     points = cloud(6, 20000, spread=0.05)
-    inside = sampling.crop_ball(points, pose_at((0, 0, 0), 0.01), 0)
-    assert 0.045 < np.linalg.norm(points[inside], axis=1).max() < 0.05
+    inside = sampling.crop_ball(PointCloud.of(points), pose_at((0, 0, 0), 0.01), 0)
+    assert 0.045 < np.linalg.norm(inside.points, axis=1).max() < 0.05
 
 
 def test_crop_grows_until_it_holds_ten_points() -> None:
     ring = 0.12 * np.array([[np.cos(a), np.sin(a), 0] for a in np.linspace(0, 6, 12)])
-    assert len(sampling.crop_ball(ring.astype(np.float32), pose_at((0, 0, 0), 0.05), 0)) == 12
+    assert len(sampling.crop_ball(PointCloud.of(ring), pose_at((0, 0, 0), 0.05), 0)) == 12
 
 
 def test_no_points_near_the_object_is_an_error_that_says_what_to_do() -> None:
     with pytest.raises(sampling.NoPointsError, match="metres"):
-        sampling.crop_ball(cloud(7, 100) + 10, pose_at((0, 0, 0), 0.1), 0)
+        sampling.crop_ball(PointCloud.of(cloud(7, 100) + 10), pose_at((0, 0, 0), 0.1), 0)
 
 
 def test_weights_fall_outside_the_box_and_its_margin() -> None:
