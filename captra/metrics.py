@@ -3,6 +3,7 @@
 import numpy as np
 from jaxtyping import Bool, Float, Float64
 
+from captra.fitting import closest_gauge
 from captra.geometry import Pose, axis_angle, box_corners, rotation_angle
 from captra.overlap import intersection_volume
 
@@ -85,9 +86,13 @@ def scale_error_percent(estimate: Pose, truth: Pose) -> Float64[np.ndarray, " pa
 
 
 def average_distance_accuracy(
-    points_part: Float[np.ndarray, "points 3"], estimate: Pose, truth: Pose, fraction: float = 0.1
+    points_part: Float[np.ndarray, "points 3"], estimate: Pose, truth: Pose, *, symmetric: bool, fraction: float = 0.1
 ) -> bool:
-    """AD-10 %: whether model points land, on average, within `fraction` of the part's diameter of where they belong."""
-    a = points_part @ estimate.rotation[0].T + estimate.translation[0]
+    """AD-10 %: whether model points land, on average, within `fraction` of the part's diameter of where they belong.
+
+    A symmetric estimate is first turned about y to where it is closest. The scale has no part in it.
+    """
+    rotation = closest_gauge(estimate.rotation[0], truth.rotation[0]) if symmetric else estimate.rotation[0]
+    a = points_part @ rotation.T + estimate.translation[0]
     b = points_part @ truth.rotation[0].T + truth.translation[0]
     return bool(np.linalg.norm(a - b, axis=-1).mean() <= fraction * truth.scale[0])

@@ -48,15 +48,30 @@ def load_meshes(folder: Path, category: str, use: Use) -> tuple[MeshObject, ...]
     Raises:
         FileNotFoundError: if the folder has no INDEX.json.
     """
-    read = load_articulated if get_category(category).joints else _load_rigid
-    section = f"{category.removesuffix(_SUFFIX)}{_SUFFIX}" if get_category(category).joints else category
     index = json.loads((folder / "INDEX.json").read_text())
-    objects = []
-    for name, entry in sorted(index.items()):
-        if entry["use"] != use or name.split("/")[0] != section:
-            continue
-        objects.append(MeshObject(name, entry["licence"], entry["notes"], read(folder / name, category)))
-    return tuple(objects)
+    names = [name for name in sorted(index) if name.startswith(f"{_section(category)}/") and index[name]["use"] == use]
+    return tuple(
+        MeshObject(name, index[name]["licence"], index[name]["notes"], load_mesh(folder, category, name))
+        for name in names
+    )
+
+
+def load_mesh(folder: Path, category: str, name: str) -> Shape:
+    """Read one object of a library, `section/object`."""
+    read = load_articulated if get_category(category).joints else _load_rigid
+    return read(folder / name, category)
+
+
+def find_mesh(folder: Path, category: str, name: str) -> Shape | None:
+    """The object of a category called `name`, whatever its use; None if the library does not hold it."""
+    path = folder / _section(category) / name
+    if not (path.is_dir() or path.with_name(f"{name}.ply").is_file()):
+        return None
+    return load_mesh(folder, category, f"{_section(category)}/{name}")
+
+
+def _section(category: str) -> str:
+    return f"{category.removesuffix(_SUFFIX)}{_SUFFIX}" if get_category(category).joints else category
 
 
 def _load_rigid(path: Path, category: str) -> Shape:

@@ -2,9 +2,13 @@
 
 import json
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
+
+if TYPE_CHECKING:
+    from captra.evaluation.runner import ExportedNetworks
+    from captra.runtime.onnx_networks import OnnxNetworks
 
 Models = Annotated[Path, typer.Option(help="Folder of bundles.")]
 Categories = Annotated[
@@ -13,50 +17,70 @@ Categories = Annotated[
 Recordings = Annotated[Path, typer.Option(help="Folder of recordings.")]
 ProfileName = Annotated[str, typer.Option(help="realtime or paper.")]
 Provider = Annotated[str, typer.Option(help="cpu, openvino, cuda or auto.")]
+Cache = Annotated[Path, typer.Option(help="Folder that keeps simulated sequences.")]
 
 DEFAULT_MODELS = Path("models")
 DEFAULT_RECORDINGS = Path("recordings")
+DEFAULT_CACHE = Path(".campaign/sequences")
 
 
 def evaluate(
     category: Categories = None,
     recordings: Recordings = DEFAULT_RECORDINGS,
-    procedural: Annotated[int, typer.Option(help="Unseen procedural sequences per category, 100 frames each.")] = 0,
+    procedural: Annotated[int, typer.Option(help="Unseen procedural sequences per category.")] = 0,
+    meshes: Annotated[
+        Path | None, typer.Option(help="Library of objects with an INDEX.json: those for validation are filmed too.")
+    ] = None,
+    frames: Annotated[int, typer.Option(help="Of each sequence that is simulated.")] = 100,
     models: Models = DEFAULT_MODELS,
     profile: ProfileName = "realtime",
     provider: Provider = "cpu",
+    jobs: Annotated[int, typer.Option(help="Sequences tracked at a time, each in a process of its own.")] = 1,
+    cache: Cache = DEFAULT_CACHE,
+    write_scores: Annotated[bool, typer.Option("--write-scores", help="Put the means into the manifests.")] = False,
     json_out: Annotated[Path | None, typer.Option("--json", help="Also write the rows as JSON.")] = None,
     markdown_out: Annotated[Path | None, typer.Option("--markdown", help="Also write the table as Markdown.")] = None,
 ) -> None:
     """Track whole sequences with the exported networks and print the paper's measures.
 
-    Example: captra evaluate --category mug --recordings recordings --procedural 20
+    Example: captra evaluate --category mug --recordings recordings --procedural 20 --jobs 2
     """
-    from itertools import chain
-
     from rich.console import Console
 
+    from captra.evaluation.manifest_scores import command_for
+    from captra.evaluation.manifest_scores import write_scores as write
     from captra.evaluation.runner import evaluate as run
-    from captra.evaluation.sequences import procedural as make
-    from captra.evaluation.sequences import recordings_in
-    from captra.evaluation.summary import Summary, as_json, average, markdown, summarize
+    from captra.evaluation.sequence_cache import SequenceCache
+    from captra.evaluation.sequences import library, recordings_in
+    from captra.evaluation.sequences import procedural as unseen
+    from captra.evaluation.summary import Summary, as_json, average, average_of_parts, markdown, summarize
     from captra.evaluation.table import WIDTH, table
+    from captra.evaluation.workers import workers
+    from captra.runtime.cores import available_cores
 
-    console, rows = Console(width=WIDTH), list[Summary]()
-    for name in category or _available(models):
-        networks = _load(models, name, profile, provider)
-        groups = (("recordings", recordings_in(recordings, name)), ("procedural", make(name, procedural)))
-        for group, sequences in groups:
-            first = next(iter(sequences), None)
-            if first is None:
-                continue
-            found = [
-                summarize(score)
-                for score in run(
-                    networks, chain([first], sequences), lambda score: console.print(f"tracked {score.name}")
-                )
-            ]
-            rows += [*found, average(f"{name}: mean of {len(found)} {group}", found)]
+    console, rows, kept = Console(width=WIDTH), list[Summary](), SequenceCache.open(cache)
+    options = {"recordings": recordings, "procedural": procedural, "frames": frames}
+    options |= {"meshes": meshes} if meshes else {}
+    with workers(jobs) as pool:
+        for name in category or _available(models):
+            threads = max(1, available_cores() // jobs)
+            exported, means = _exported(models, name, profile, provider, threads), dict[str, Summary]()
+            for group, sources in (
+                ("recordings", recordings_in(recordings, name, meshes)),
+                ("procedural", unseen(name, procedural, kept, frames)),
+                ("meshes", library(meshes, name, kept, frames) if meshes else ()),
+            ):
+                scores = []
+                for score in run(exported, sources, pool):
+                    scores.append(score)
+                    console.print(f"tracked {score.name}: 5°5cm {100 * score.within_5deg_5cm.mean():.1f} %")
+                if not scores:
+                    continue
+                found = [summarize(score) for score in scores]
+                means[group] = average(f"{name}: mean of {len(found)} {group}", found)
+                rows += [*found, *average_of_parts(scores), means[group]]
+            if write_scores and means:
+                write(models / name, command_for(name, options | {"profile": profile}), means)
     console.print(table(rows, f"{profile}, {provider}"))
     if json_out is not None:
         json_out.write_text(json.dumps(as_json(rows), indent=1) + "\n")
@@ -84,8 +108,8 @@ def response(
     console = Console(width=WIDTH)
     for name in category or _available(models):
         networks = _load(models, name, profile, provider)
-        for recording in recordings_in(recordings, name):
-            console.print(response_table(recording.name, test(networks, recording)))
+        for source in recordings_in(recordings, name):
+            console.print(response_table(source.name, test(networks, source.load().recording)))
 
 
 def calibrate(
@@ -95,6 +119,7 @@ def calibrate(
     models: Models = DEFAULT_MODELS,
     profile: ProfileName = "realtime",
     provider: Provider = "cpu",
+    cache: Cache = DEFAULT_CACHE,
 ) -> None:
     """Fit the confidence of a bundle on validation sequences and write it into the manifest.
 
@@ -105,15 +130,17 @@ def calibrate(
     from rich.console import Console
 
     from captra.evaluation.calibration import auroc, confidences, fit, observe
+    from captra.evaluation.sequence_cache import SequenceCache
     from captra.evaluation.sequences import VALIDATION_SEED
     from captra.evaluation.sequences import procedural as make
     from captra.runtime.bundle import load_manifest, write_manifest
 
-    console = Console()
+    console, kept = Console(), SequenceCache.open(cache)
     for name in category or _available(models):
         networks = _load(models, name, profile, provider)
         with console.status(f"{name}: tracking {sequences} sequences from three starts each"):
-            observations = observe(networks, make(name, sequences, frames, VALIDATION_SEED))
+            sources = make(name, sequences, kept, frames, VALIDATION_SEED)
+            observations = observe(networks, (source.load().recording for source in sources))
         model = fit(observations)
         write_manifest(models / name, replace(load_manifest(models / name), health=asdict(model)))
         found = auroc(confidences(model, observations), observations.correct)
@@ -129,8 +156,13 @@ def _available(models: Path) -> list[str]:
     return sorted(find_bundles(models))
 
 
-def _load(models: Path, category: str, profile: str, provider: str):  # type: ignore[no-untyped-def]
-    from captra.runtime.onnx_networks import OnnxNetworks
-    from captra.sampling import PROFILES
+def _load(models: Path, category: str, profile: str, provider: str) -> "OnnxNetworks":
+    from captra.runtime.cores import available_cores
 
-    return OnnxNetworks.load(models / category, PROFILES[profile], provider)
+    return _exported(models, category, profile, provider, available_cores()).load()
+
+
+def _exported(models: Path, category: str, profile: str, provider: str, threads: int) -> "ExportedNetworks":
+    from captra.evaluation.runner import ExportedNetworks
+
+    return ExportedNetworks(models / category, profile, provider, threads)

@@ -1,12 +1,44 @@
-"""Runs a tracker over recordings."""
+"""Tracks sequences and scores them, wherever the work is done."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Hashable, Iterable, Iterator
+from dataclasses import dataclass
+from functools import lru_cache, partial
+from pathlib import Path
+from typing import Protocol
 
 from captra.data.recordings import Recording
 from captra.evaluation.scoring import SequenceScore, score
+from captra.evaluation.sequences import SequenceSource
+from captra.evaluation.workers import Workers
 from captra.geometry import Pose
-from captra.sampling import NoPointsError
+from captra.runtime.onnx_networks import OnnxNetworks
+from captra.sampling import PROFILES, NoPointsError
 from captra.tracker import Networks, Tracker
+
+
+class NetworksSource(Hashable, Protocol):
+    """Networks that are not loaded yet; small and hashable, so that other processes can load them."""
+
+    def load(self) -> Networks:
+        """Load them."""
+
+
+@dataclass(frozen=True)
+class ExportedNetworks:
+    """A bundle and how to run it."""
+
+    bundle: Path
+    """Folder of the bundle."""
+    profile: str
+    """realtime or paper."""
+    provider: str
+    """cpu, openvino, cuda or auto."""
+    threads: int
+    """Of one run."""
+
+    def load(self) -> OnnxNetworks:
+        """Load both networks."""
+        return OnnxNetworks.load(self.bundle, PROFILES[self.profile], self.provider, self.threads)
 
 
 def track(networks: Networks, recording: Recording) -> list[Pose]:
@@ -21,12 +53,18 @@ def track(networks: Networks, recording: Recording) -> list[Pose]:
     return poses
 
 
-def evaluate(
-    networks: Networks, recordings: Iterable[Recording], progress: Callable[[SequenceScore], None] = lambda _: None
-) -> Sequence[SequenceScore]:
-    """Track and score every recording with one set of networks."""
-    scores = []
-    for recording in recordings:
-        scores.append(score(recording, track(networks, recording)))
-        progress(scores[-1])
-    return scores
+def evaluate(networks: NetworksSource, sources: Iterable[SequenceSource], workers: Workers) -> Iterator[SequenceScore]:
+    """Track and score every sequence with one set of networks; the scores come in the order of the sources."""
+    return workers.map(partial(track_and_score, networks), sources)
+
+
+def track_and_score(networks: NetworksSource, source: SequenceSource) -> SequenceScore:
+    """Load, track and score one sequence."""
+    sequence = source.load()
+    return score(sequence.recording, track(_loaded(networks), sequence.recording), sequence.model)
+
+
+@lru_cache(maxsize=1)
+def _loaded(networks: NetworksSource) -> Networks:
+    """The networks of the last sequence, which mostly are those of the next one too."""
+    return networks.load()

@@ -8,6 +8,7 @@ from jaxtyping import Bool, Float64
 
 from captra import metrics
 from captra.data.recordings import Recording
+from captra.evaluation.model_points import ModelPoints
 from captra.evaluation.observability import symmetric_frames
 from captra.geometry import Pose, rotation_angle
 
@@ -34,6 +35,8 @@ class SequenceScore:
     """Degrees (revolute) or centimetres (prismatic)."""
     symmetric: Bool[np.ndarray, " frames"]
     """Frames scored as symmetric."""
+    within_ad10: Bool[np.ndarray, "frames known_parts"]
+    """AD-10 %; no column where the true surface is unknown."""
 
     @property
     def within_5deg_5cm(self) -> Bool[np.ndarray, "frames parts"]:
@@ -41,8 +44,13 @@ class SequenceScore:
         return metrics.within(self.rotation_deg, self.translation_cm)
 
 
-def score(recording: Recording, poses: Sequence[Pose]) -> SequenceScore:
+def score(recording: Recording, poses: Sequence[Pose], model: ModelPoints = ()) -> SequenceScore:
     """Compare the poses of frames 1, 2, … with the truth.
+
+    Args:
+        recording: what was tracked.
+        poses: one for each frame but the first.
+        model: true surface of each part, for AD-10 %.
 
     Raises:
         ValueError: when there is not one pose for each frame but the first.
@@ -52,14 +60,18 @@ def score(recording: Recording, poses: Sequence[Pose]) -> SequenceScore:
             f"{recording.name} has {len(recording)} frames: give {len(recording) - 1} poses, not {len(poses)}"
         )
     symmetric = symmetric_frames(recording)[1:]
-    rows = [_frame(pose, recording, frame + 1, symmetric=bool(symmetric[frame])) for frame, pose in enumerate(poses)]
-    rotation, translation, iou, iou_nocs, scale, joints = (np.array(column) for column in zip(*rows, strict=True))
+    rows = [
+        _frame(pose, recording, frame + 1, model, symmetric=bool(symmetric[frame])) for frame, pose in enumerate(poses)
+    ]
+    rotation, translation, iou, iou_nocs, scale, joints, ad10 = (np.array(column) for column in zip(*rows, strict=True))
     return SequenceScore(
-        recording.name, recording.category.name, rotation, translation, iou, iou_nocs, scale, joints, symmetric
+        recording.name, recording.category.name, rotation, translation, iou, iou_nocs, scale, joints, symmetric, ad10
     )
 
 
-def _frame(pose: Pose, recording: Recording, frame: int, *, symmetric: bool) -> tuple[np.ndarray, ...]:
+def _frame(
+    pose: Pose, recording: Recording, frame: int, model: ModelPoints, *, symmetric: bool
+) -> tuple[np.ndarray, ...]:
     truth = recording.truth(frame)
     parts = [(pose.part(part), truth.part(part)) for part in range(pose.num_parts)]
     return (
@@ -69,6 +81,13 @@ def _frame(pose: Pose, recording: Recording, frame: int, *, symmetric: bool) -> 
         np.array([metrics.iou_nocs(a, b, symmetric=symmetric) for a, b in parts]),
         metrics.scale_error_percent(pose, truth),
         joint_errors(pose, truth, recording),
+        np.array(
+            [
+                metrics.average_distance_accuracy(points, estimate, true, symmetric=symmetric)
+                for points, (estimate, true) in zip(model, parts, strict=False)
+            ],
+            bool,
+        ),
     )
 
 

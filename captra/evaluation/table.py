@@ -8,14 +8,14 @@ from rich.table import Table
 from captra.evaluation.response import ANGLES_DEG, Response
 from captra.evaluation.summary import COLUMNS, Summary, cells
 
-WIDTH = 140
+WIDTH = 180
 """Columns that the tables take, whatever the terminal: they are read in logs too."""
 
 
 def table(rows: Iterable[Summary], title: str) -> Table:
     """Scores, one row a sequence or mean."""
     result = Table(title=title)
-    result.add_column("sequence", no_wrap=True)
+    result.add_column("sequences", no_wrap=True)
     for column in COLUMNS:
         result.add_column(column, justify="right")
     for row in rows:

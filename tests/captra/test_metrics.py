@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -77,5 +79,12 @@ def test_translation_is_in_centimetres_and_scale_in_percent() -> None:
 
 def test_average_distance_is_relative_to_the_part() -> None:
     truth, points = box((0.3, 0.4, 1.2)), np.random.default_rng(0).uniform(-0.5, 0.5, (50, 3))
-    assert metrics.average_distance_accuracy(points, box((1, 1, 1), (0.12, 0, 0)), truth)
-    assert not metrics.average_distance_accuracy(points, box((1, 1, 1), (0.14, 0, 0)), truth)
+    assert metrics.average_distance_accuracy(points, box((1, 1, 1), (0.12, 0, 0)), truth, symmetric=False)
+    assert not metrics.average_distance_accuracy(points, box((1, 1, 1), (0.14, 0, 0)), truth, symmetric=False)
+
+
+def test_average_distance_does_not_mind_the_turn_of_a_symmetric_object() -> None:
+    truth, points = box((0.3, 0.4, 0.3)), np.random.default_rng(0).uniform(-0.5, 0.5, (50, 3))
+    spun = replace(truth, rotation=truth.rotation @ axis_angle(np.array([0.0, 1, 0]), 2.0))
+    assert metrics.average_distance_accuracy(points, spun, truth, symmetric=True)
+    assert not metrics.average_distance_accuracy(points, spun, truth, symmetric=False)

@@ -1,14 +1,16 @@
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
 
 from captra.data.recordings import Recording
-from captra.evaluation import observability, runner, summary
+from captra.evaluation import observability, runner, summary, workers
 from captra.evaluation.response import response
 from captra.evaluation.scoring import joint_errors, score
+from captra.evaluation.sequences import Sequence
 from captra.evaluation.table import response_table, table
 from captra.geometry import Pose, axis_angle
+from captra.tracker import Networks
 from tests.oracle import OracleNetworks, scene
 
 
@@ -29,6 +31,32 @@ def still_recording(category_name: str, frames: int = 4) -> Recording:
     )
 
 
+@dataclass(frozen=True)
+class Held:
+    """A sequence that is there already."""
+
+    sequence: Sequence
+    """The sequence."""
+
+    @property
+    def name(self) -> str:
+        return self.sequence.recording.name
+
+    def load(self) -> Sequence:
+        return self.sequence
+
+
+@dataclass(frozen=True, eq=False)
+class Ready:
+    """Networks that are there already."""
+
+    networks: Networks
+    """The networks."""
+
+    def load(self) -> Networks:
+        return self.networks
+
+
 def moved(pose: Pose, degrees: float, centimetres: float) -> Pose:
     turn = axis_angle(np.array([1.0, 0, 0]), np.radians(degrees))
     return replace(pose, rotation=pose.rotation @ turn, translation=pose.translation + [0, 0, centimetres / 100])
@@ -44,7 +72,8 @@ def test_errors_come_out_in_degrees_centimetres_and_shares() -> None:
     assert found.iou[0, 0] == pytest.approx(1, abs=1e-3)
     row = summary.summarize(found)
     assert row.within_5deg_5cm_percent == pytest.approx(200 / 3)
-    assert row.joint_error is None
+    assert row.joint_deg is None
+    assert row.joint_cm is None
     assert (row.frames, row.symmetric_frames) == (3, 0)
 
 
@@ -92,7 +121,9 @@ def test_symmetric_frames_follow_the_category(name: str, expected: bool) -> None
 def test_perfect_networks_track_perfectly() -> None:
     recording = still_recording("can")
     truth = recording.truth(0)
-    (found,) = runner.evaluate(OracleNetworks(recording.category, truth, truth), [recording])
+    sources = [Held(Sequence(recording, (truth.size[:1] / 2,)))]
+    (found,) = runner.evaluate(Ready(OracleNetworks(recording.category, truth, truth)), sources, workers.Here())
+    assert found.within_ad10.all()
     assert found.within_5deg_5cm.all()
     assert found.iou.min() > 0.9
 
