@@ -8,7 +8,7 @@ from typing import Protocol
 import numpy as np
 from jaxtyping import Float64
 
-from captra.fitting import rotation_about_axis
+from captra.fitting import mean_rotation, rotation_about_axis
 
 
 class RotationFusion(Protocol):
@@ -30,6 +30,28 @@ class RotationNetAlone:
     ) -> Float64[np.ndarray, "3 3"]:
         """RotationNet's."""
         return from_rotation_net
+
+
+class CoordinatesAlone:
+    """The rotation of the full Umeyama fit: the paper's CoordinateNet baseline on canonical clouds."""
+
+    def __call__(
+        self,
+        from_rotation_net: Float64[np.ndarray, "3 3"],  # noqa: ARG002 - asked for by the protocol
+        from_coordinates: Float64[np.ndarray, "3 3"],
+    ) -> Float64[np.ndarray, "3 3"]:
+        """The fit's."""
+        return from_coordinates
+
+
+class HalfWay:
+    """Both count the same: their errors have different causes and partly cancel."""
+
+    def __call__(
+        self, from_rotation_net: Float64[np.ndarray, "3 3"], from_coordinates: Float64[np.ndarray, "3 3"]
+    ) -> Float64[np.ndarray, "3 3"]:
+        """The Euclidean mean of the two."""
+        return mean_rotation(np.stack([from_rotation_net, from_coordinates]))
 
 
 @dataclass(frozen=True)
@@ -54,6 +76,11 @@ class TurnFromCoordinates:
 ROTATION_NET_ALONE: RotationFusion = RotationNetAlone()
 
 ROTATION_FUSIONS: Mapping[str, RotationFusion] = MappingProxyType(
-    {"rotation-net": ROTATION_NET_ALONE, "turn-about-y-from-coordinates": TurnFromCoordinates((0.0, 1.0, 0.0))}
+    {
+        "rotation-net": ROTATION_NET_ALONE,
+        "turn-about-y-from-coordinates": TurnFromCoordinates((0.0, 1.0, 0.0)),
+        "coordinates": CoordinatesAlone(),
+        "mean": HalfWay(),
+    }
 )
 """By the names that manifests use."""

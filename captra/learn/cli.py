@@ -16,7 +16,8 @@ def train(
     ] = DEFAULT_FOLDER,
     run: Annotated[str, typer.Option(help="Name of the run: one state and one log each.")] = "run",
     start_from: Annotated[
-        Path | None, typer.Option(help="Folder with coordinate.pt and rotation.pt to start from, e.g. checkpoints/mug.")
+        Path | None,
+        typer.Option(help="Folder with coordinate.pt and rotation.pt to start from; its name is their category."),
     ] = None,
     threads: Annotated[int, typer.Option(help="CPU threads.")] = 1,
     seed: Annotated[int, typer.Option(help="Of weights, views and perturbations.")] = 1,
@@ -60,7 +61,7 @@ def train(
     state = folder / "runs" / category / run
     trainer = Trainer(chosen, views, Plan(samples=samples, seed=seed), state, provenance(where))
     if start_from is not None and trainer.progress.samples == 0:
-        trainer.start_from(start_from)
+        trainer.start_from(get_category(start_from.name), start_from)
     columns = (
         TextColumn("{task.description}"),
         BarColumn(),

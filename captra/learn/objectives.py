@@ -37,11 +37,14 @@ def coordinate_objective(network: CoordinateNet, batch: Batch, category: Categor
 def rotation_objective(
     network: RotationNet, batch: Batch, category: Category, head_points: int
 ) -> tuple[Float[Tensor, ""], Terms]:
-    """Total loss of RotationNet on the first `head_points` points, and its terms by name."""
-    raw = network(batch.points, batch.part_neighborhoods, head_points).float()
-    mask = losses.part_masks(batch.labels[:, :head_points], category.num_parts)
-    rotation, corners = losses.rotation_losses(raw, batch, mask, category)
+    """Total loss of RotationNet on one part a sample and the first `head_points` points, and its terms by name."""
+    part = batch.rotation_part
+    chosen = torch.arange(len(part)), part
+    raw = network.one_part(batch.points[chosen], part, batch.rotation_neighborhoods, head_points).unsqueeze(1)
+    mask = (batch.labels[:, :head_points] == part[:, None]).float().unsqueeze(1)
+    truth = batch._replace(rotation=batch.rotation[chosen].unsqueeze(1), aspect=batch.aspect[chosen].unsqueeze(1))
+    rotation, corners = losses.rotation_losses(raw, truth, mask, category)
     terms = {"rotation": 10 * rotation, "corners": corners}
     if not category.symmetric:
-        terms["upright"] = 20 * losses.upright_loss(raw, batch, mask)
+        terms["upright"] = 20 * losses.upright_loss(raw, truth, mask)
     return torch.stack(list(terms.values())).sum(), terms

@@ -4,6 +4,9 @@ from dataclasses import dataclass, field
 
 from captra.sampling import REALTIME, InputSampling, Profile
 
+TINY = Profile("tiny", 512, (128, 32), ((8, 16, 32), (16, 32)))
+"""Half of `SMALL`'s points at its groups: where a run starts, twice as many samples in the same time."""
+
 SMALL = Profile("small", 1024, (256, 64), ((8, 16, 32), (16, 32)))
 """Groups cut to a quarter: what most samples are trained at, since weights depend on neither points nor group sizes."""
 
@@ -46,11 +49,12 @@ class Plan:
     density: InputSampling = field(default_factory=lambda: InputSampling(surroundings_weight=0.4, margin=0.1))
     """How clouds are sampled, in training and by the tracker."""
     stages: tuple[Stage, ...] = (
-        Stage(until=0.85, profiles=(SMALL,)),
+        Stage(until=0.6, profiles=(TINY,)),
+        Stage(until=0.88, profiles=(TINY, SMALL)),
         Stage(until=0.96, profiles=(SMALL, REALTIME)),
         Stage(until=1.0, profiles=(REALTIME, REALTIME, PAPER_LIGHT)),
     )
-    """Small groups first, the mix of what is served last."""
+    """Few points and small groups first, the mix of what is served last."""
     seed: int = 1
     """Of weights, views and perturbations."""
 

@@ -3,7 +3,7 @@
 from typing import cast
 
 import torch
-from jaxtyping import Float
+from jaxtyping import Float, Int
 from torch import Tensor, nn
 
 from captra.learn.fused import cloud_norm_relu
@@ -84,3 +84,20 @@ class RotationNet(nn.Module):
         rows = self.backbone(points.flatten(0, 1), neighborhoods)
         features = rows.view(batch, parts, count, -1)[:, :, :head_points]
         return torch.stack([head(features[:, j]).float() for j, head in enumerate(self.heads)], dim=1)
+
+    def one_part(
+        self,
+        points: Float[Tensor, "batch points 3"],
+        part: Int[Tensor, " batch"],
+        neighborhoods: TorchNeighborhoods,
+        head_points: int | None = None,
+    ) -> Float[Tensor, "batch head_points width"]:
+        """As `forward`, for one part of each sample: `points` is its canonical cloud, `part` the head to run on it."""
+        batch, count = points.shape[:2]
+        features = self.backbone(points, neighborhoods).view(batch, count, -1)[:, :head_points]
+        answers = features.new_zeros((*features.shape[:2], 3 if self.symmetric else 6), dtype=torch.float32)
+        for j, head in enumerate(self.heads):
+            chosen = (part == j).nonzero()[:, 0]
+            if len(chosen):
+                answers = answers.index_copy(0, chosen, head(features[chosen]).float())
+        return answers

@@ -18,6 +18,9 @@ from captra.observations import PointCloud
 from captra.sampling import InputSampling, Neighborhoods, Profile, build_neighborhoods
 from captra.tracker import choose_points
 
+FEWEST_POINTS = 8
+"""A part that shows fewer teaches RotationNet nothing."""
+
 
 @dataclass(frozen=True)
 class Sample:
@@ -25,8 +28,12 @@ class Sample:
 
     points: Float32[np.ndarray, "parts N 3"]
     """Canonical cloud of each part, in farthest-point order."""
-    neighborhoods: tuple[Neighborhoods, ...]
-    """One per part."""
+    root_neighborhoods: Neighborhoods
+    """Of the root's cloud, for CoordinateNet."""
+    rotation_part: int
+    """The part whose cloud RotationNet sees: one a sample, whatever the number of parts, so that all cost the same."""
+    rotation_neighborhoods: Neighborhoods
+    """Of that part's cloud."""
     labels: Int64[np.ndarray, " N"]
     """True class."""
     coordinates: Float32[np.ndarray, "parts N 3"]
@@ -46,7 +53,8 @@ class Batch(NamedTuple):
 
     points: Float[Tensor, "batch parts N 3"]
     root_neighborhoods: TorchNeighborhoods
-    part_neighborhoods: TorchNeighborhoods
+    rotation_part: Int[Tensor, " batch"]
+    rotation_neighborhoods: TorchNeighborhoods
     labels: Int[Tensor, "batch N"]
     coordinates: Float[Tensor, "batch parts N 3"]
     rotation: Float[Tensor, "batch parts 3 3"]
@@ -78,10 +86,16 @@ class SampleMaker:
         crop = choose_points(PointCloud.of(cloud), last, self.category, profile.points, self.density)
         points = crop.points
         points_canonical = canonicalize(points, last)
+        root, part = self.category.root, draw_part(labels[crop.indices], self.category.num_parts, rng)
+        root_neighborhoods = build_neighborhoods(points_canonical[root], profile)
         inverse = np.swapaxes(last.rotation, -1, -2)
         return Sample(
             points=points_canonical,
-            neighborhoods=tuple(build_neighborhoods(part, profile) for part in points_canonical),
+            root_neighborhoods=root_neighborhoods,
+            rotation_part=part,
+            rotation_neighborhoods=(
+                root_neighborhoods if part == root else build_neighborhoods(points_canonical[part], profile)
+            ),
             labels=labels[crop.indices].astype(np.int64),
             coordinates=canonicalize(points, truth),
             rotation=(inverse @ truth.rotation).astype(np.float32),
@@ -93,6 +107,12 @@ class SampleMaker:
         )
 
 
+def draw_part(labels: np.ndarray, num_parts: int, rng: np.random.Generator) -> int:
+    """One of the parts that can be seen."""
+    visible = np.flatnonzero(np.bincount(labels, minlength=num_parts)[:num_parts] >= FEWEST_POINTS)
+    return int(rng.choice(visible)) if len(visible) else 0
+
+
 def thin_out(
     points: Float32[np.ndarray, "all 3"], labels: np.ndarray, rng: np.random.Generator
 ) -> tuple[Float32[np.ndarray, "some 3"], np.ndarray]:
@@ -101,7 +121,7 @@ def thin_out(
     return points[kept], labels[kept]
 
 
-def stack(samples: list[Sample], root: int) -> Batch:
+def stack(samples: list[Sample]) -> Batch:
     """Make one batch of samples of the same profile."""
 
     def tensor(name: str) -> Tensor:
@@ -109,8 +129,9 @@ def stack(samples: list[Sample], root: int) -> Batch:
 
     return Batch(
         points=tensor("points"),
-        root_neighborhoods=TorchNeighborhoods.stack([sample.neighborhoods[root] for sample in samples]),
-        part_neighborhoods=TorchNeighborhoods.stack([n for sample in samples for n in sample.neighborhoods]),
+        root_neighborhoods=TorchNeighborhoods.stack([sample.root_neighborhoods for sample in samples]),
+        rotation_part=torch.tensor([sample.rotation_part for sample in samples]),
+        rotation_neighborhoods=TorchNeighborhoods.stack([sample.rotation_neighborhoods for sample in samples]),
         labels=tensor("labels"),
         coordinates=tensor("coordinates"),
         rotation=tensor("rotation"),

@@ -49,6 +49,17 @@ def ramped_average(decay: float) -> Callable[[Tensors, Tensors, torch.Tensor | i
     return update
 
 
+def transplant(source: nn.Module, target: nn.Module) -> None:
+    """Copy every tensor that has the same name and shape in both networks."""
+    state = source.state_dict()
+    fitting = {
+        name: state[name]
+        for name, tensor in target.state_dict().items()
+        if name in state and state[name].shape == tensor.shape
+    }
+    target.load_state_dict(fitting, strict=False)
+
+
 class Views(Protocol):
     """A collection of rendered views that may grow while training runs."""
 
@@ -132,16 +143,18 @@ class Trainer:
         if (folder / STATE_FILE).exists():
             self._resume()
 
-    def start_from(self, folder: Path) -> None:
-        """Take over the weights of checkpoints of the same category: another run's folder, or what the project ships.
+    def start_from(self, source: Category, folder: Path) -> None:
+        """Take over what fits of checkpoints, of this category or another: a run's folder, or what the project ships.
 
         Raises:
-            CheckpointError: they are missing, or of another category.
+            CheckpointError: they are missing, or not of `source`.
         """
-        self.coordinate.network.load_state_dict(
-            load_coordinate_net(folder / "coordinate.pt", self.category).state_dict()
-        )
-        self.rotation.network.load_state_dict(load_rotation_net(folder / "rotation.pt", self.category).state_dict())
+        transplant(load_coordinate_net(folder / "coordinate.pt", source), self.coordinate.network)
+        rotation = load_rotation_net(folder / "rotation.pt", source)
+        transplant(rotation, self.rotation.network)
+        if source.symmetric == self.category.symmetric:
+            for head in self.rotation.network.heads[source.num_parts :]:
+                head.load_state_dict(rotation.heads[0].state_dict())
         self.coordinate.restart()
         self.rotation.restart()
         self.progress.rotation_started = True
@@ -247,7 +260,7 @@ class Trainer:
                 samples.append(self._make_sample(view, profile, rng))
             except NoPointsError:
                 continue
-        return stack(samples, self.category.root)
+        return stack(samples)
 
     def _log(self, terms: dict[str, float]) -> None:
         with (self.folder / LOG_FILE).open("a") as log:

@@ -40,8 +40,24 @@ def test_fused_rotation_has_the_tilt_of_one_and_is_as_near_to_the_other_as_it_ca
         assert rotation_angle(fused.T @ theirs) <= rotation_angle(other.T @ theirs) + 1e-9
 
 
+@given(SEEDS)
+def test_coordinates_alone_hear_nobody_else(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    ours, theirs = turn(rng), turn(rng)
+    np.testing.assert_array_equal(ROTATION_FUSIONS["coordinates"](ours, theirs), theirs)
+
+
+@given(SEEDS)
+def test_the_mean_lies_half_way(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    ours, theirs = turn(rng), turn(rng)
+    fused = ROTATION_FUSIONS["mean"](ours, theirs)
+    half = rotation_angle(ours.T @ theirs) / 2
+    np.testing.assert_allclose([rotation_angle(ours.T @ fused), rotation_angle(fused.T @ theirs)], half, atol=1e-6)
+
+
 def test_manifests_name_what_exists() -> None:
-    assert set(ROTATION_FUSIONS) == {"rotation-net", "turn-about-y-from-coordinates"}
+    assert set(ROTATION_FUSIONS) == {"rotation-net", "turn-about-y-from-coordinates", "coordinates", "mean"}
     assert ROTATION_FUSIONS["rotation-net"] is ROTATION_NET_ALONE
     with pytest.raises(KeyError):
         ROTATION_FUSIONS["majority"]

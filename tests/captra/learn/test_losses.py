@@ -34,7 +34,7 @@ def samples(name: str, count: int = 3) -> tuple[Category, list[Sample]]:
 
 def batch(name: str) -> tuple[Category, Batch, torch.Tensor]:
     category, made = samples(name)
-    stacked = stack(made, category.root)
+    stacked = stack(made)
     return category, stacked, losses.part_masks(stacked.labels, category.num_parts)
 
 

@@ -114,3 +114,12 @@ def _train(network: nn.Module, loss_of: Callable[[], torch.Tensor], dtype: torch
         optimizer.step()
         losses.append(float(loss.detach()))
     return losses
+
+
+def test_one_part_of_each_sample_gets_what_all_parts_together_give() -> None:
+    network = RotationNet(3, symmetric=False).eval()
+    points, neighborhoods = batch_of_clouds(3, seed=4)
+    with torch.inference_mode():
+        whole = network(points[None], neighborhoods, head_points=16)[0]
+        alone = network.one_part(points, torch.tensor([0, 1, 2]), neighborhoods, head_points=16)
+    torch.testing.assert_close(alone, whole)

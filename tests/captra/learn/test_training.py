@@ -91,18 +91,31 @@ def test_a_finished_run_has_nothing_left_to_do(tmp_path: Path) -> None:
 def test_a_new_run_can_start_from_the_weights_of_another(tmp_path: Path) -> None:
     train(tmp_path / "old")
     trainer = Trainer(get_category("mug"), FewViews("mug"), replace(PLAN, seed=2), tmp_path / "new")
-    trainer.start_from(tmp_path / "old")
+    trainer.start_from(get_category("mug"), tmp_path / "old")
     old = load_coordinate_net(tmp_path / "old" / "coordinate.pt", get_category("mug"))
     for name, tensor in old.state_dict().items():
         torch.testing.assert_close(trainer.coordinate.network.state_dict()[name], tensor)
     assert trainer.progress.rotation_started
 
 
+def test_a_new_run_can_start_from_another_category(tmp_path: Path) -> None:
+    train(tmp_path / "mug")
+    glasses = get_category("glasses")
+    trainer = Trainer(glasses, FewViews("glasses"), PLAN, tmp_path / "glasses")
+    trainer.start_from(get_category("mug"), tmp_path / "mug")
+    coordinate = load_coordinate_net(tmp_path / "mug" / "coordinate.pt", get_category("mug"))
+    rotation = load_rotation_net(tmp_path / "mug" / "rotation.pt", get_category("mug"))
+    torch.testing.assert_close(trainer.coordinate.network.hidden.weight, coordinate.hidden.weight)
+    for head in trainer.rotation.network.heads:
+        torch.testing.assert_close(head.state_dict(), rotation.heads[0].state_dict())  # type: ignore[attr-defined]
+    assert trainer.coordinate.network.coordinates.out_features == 9
+
+
 def test_learning_rate_halves_evenly_and_stages_follow_each_other() -> None:
     plan = Plan(samples=1000, halvings=4)
     assert plan.learning_rate_at(500) == pytest.approx(plan.learning_rate / 4)
     assert plan.learning_rate_at(2000) == plan.learning_rate_at(1000)
-    assert [len(plan.stage_at(n).profiles) for n in (0, 849, 850, 959, 960, 1000)] == [1, 1, 2, 2, 3, 3]
+    assert [len(plan.stage_at(n).profiles) for n in (0, 599, 600, 959, 960, 1000)] == [1, 1, 2, 2, 3, 3]
 
 
 def test_curves_are_drawn_from_a_long_enough_log(tmp_path: Path) -> None:
