@@ -95,7 +95,7 @@ class RotationNet(nn.Module):
         """As `forward`, for one part of each sample: `points` is its canonical cloud, `part` the head to run on it."""
         batch, count = points.shape[:2]
         features = self.backbone(points, neighborhoods).view(batch, count, -1)[:, :head_points]
-        answers = features.new_zeros((*features.shape[:2], 3 if self.symmetric else 6), dtype=torch.float32)
+        answers: Tensor = features.new_zeros((*features.shape[:2], 3 if self.symmetric else 6), dtype=torch.float32)
         for j, head in enumerate(self.heads):
             chosen = (part == j).nonzero()[:, 0]
             if len(chosen):

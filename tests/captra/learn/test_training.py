@@ -107,7 +107,7 @@ def test_a_new_run_can_start_from_another_category(tmp_path: Path) -> None:
     rotation = load_rotation_net(tmp_path / "mug" / "rotation.pt", get_category("mug"))
     torch.testing.assert_close(trainer.coordinate.network.hidden.weight, coordinate.hidden.weight)
     for head in trainer.rotation.network.heads:
-        torch.testing.assert_close(head.state_dict(), rotation.heads[0].state_dict())  # type: ignore[attr-defined]
+        torch.testing.assert_close(head.state_dict(), rotation.heads[0].state_dict())
     assert trainer.coordinate.network.coordinates.out_features == 9
 
 
