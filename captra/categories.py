@@ -7,7 +7,8 @@ from typing import Literal
 
 JointKind = Literal["revolute", "prismatic"]
 
-X_AXIS = (1.0, 0.0, 0.0)
+MINUS_X_AXIS = (-1.0, 0.0, 0.0)
+MINUS_Y_AXIS = (0.0, -1.0, 0.0)
 Y_AXIS = (0.0, 1.0, 0.0)
 Z_AXIS = (0.0, 0.0, 1.0)
 
@@ -29,7 +30,7 @@ class Joint:
     parent: int
     """Index of the part it moves against."""
     axis: tuple[float, float, float]
-    """Unit axis in the object frame at rest."""
+    """Unit axis in the object frame at rest, such that opening, folding and pulling out are positive."""
 
 
 @dataclass(frozen=True)
@@ -104,7 +105,7 @@ _ALL = (
         ("right_temple", "left_temple", "base"),
         root=2,
         joints=(
-            Joint("right_hinge", "revolute", child=0, parent=2, axis=Y_AXIS),
+            Joint("right_hinge", "revolute", child=0, parent=2, axis=MINUS_Y_AXIS),
             Joint("left_hinge", "revolute", child=1, parent=2, axis=Y_AXIS),
         ),
         perturbation=Perturbation(scale=0.02, rotation_deg=5.0, translation_m=0.02),
@@ -120,7 +121,7 @@ _ALL = (
         "laptop_articulated",
         ("base", "display"),
         root=0,
-        joints=(Joint("hinge", "revolute", child=1, parent=0, axis=X_AXIS),),
+        joints=(Joint("hinge", "revolute", child=1, parent=0, axis=MINUS_X_AXIS),),
         perturbation=Perturbation(scale=0.015, rotation_deg=3.0, translation_m=0.02),
     ),
     _articulated(

@@ -24,4 +24,4 @@ def make_glasses(rng: np.random.Generator) -> Shape:
     size = between(rng, 0.86, 1.12)
     parts = [[mesh.stretched(size) for mesh in part] for part in (opposite, temple, front)]
     origins = np.array([hinge * [-1, 1, 1], hinge]) * size
-    return articulated_shape("glasses", parts, origins, np.array([[-FOLDED, 0.0], [0.0, FOLDED]]))
+    return articulated_shape("glasses", parts, origins, np.array([[0.0, FOLDED], [0.0, FOLDED]]))

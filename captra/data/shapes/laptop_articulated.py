@@ -14,7 +14,7 @@ X, Y, Z = np.eye(3)
 TO_FRONT = axis_angle(Y, -np.pi / 2)
 """Parts are made with their front towards +x."""
 OPENING_DEG = (5.0, 150.0)
-"""Angle between base and display; turning about +x closes, so joint values are its negative."""
+"""Angle between base and display, which is the joint's value."""
 
 
 def make_laptop_articulated(rng: np.random.Generator) -> Shape:
@@ -28,7 +28,7 @@ def make_laptop_articulated(rng: np.random.Generator) -> Shape:
     pivot = np.array([0.0, _pivot_height(rng, plan, gap), between(rng, -0.004, 0.008) + min(behind, 0.0)])
     barrels = _barrels(rng, plan, pivot, gap)
     (base if chance(rng, 0.5) else display).extend(barrels)
-    limits = -np.radians(OPENING_DEG[::-1])
+    limits = np.radians(OPENING_DEG)
     return articulated_shape("laptop_articulated", (base, display), pivot[None], limits[None])
 
 

@@ -12,7 +12,7 @@ from captra.data.shapes.kinematics import part_motions
 from captra.data.shapes.mesh import merged
 from captra.data.shapes.surfaces import box
 
-JOINT = {"child": 1, "parent": 0, "type": "revolute", "axis": [-1.0, 0, 0], "origin": [0, 0.01, -0.1]}
+JOINT = {"child": 1, "parent": 0, "type": "revolute", "axis": [1.0, 0, 0], "origin": [0, 0.01, -0.1]}
 
 
 def write_laptop(folder: Path, joints: list[dict[str, object]]) -> None:
@@ -26,7 +26,7 @@ def write_laptop(folder: Path, joints: list[dict[str, object]]) -> None:
 
 @pytest.fixture
 def library(tmp_path: Path) -> Path:
-    write_laptop(tmp_path / "laptop_articulated" / "slab", [{**JOINT, "lower": 0.1, "upper": 2.0}])
+    write_laptop(tmp_path / "laptop_articulated" / "slab", [{**JOINT, "lower": -2.0, "upper": -0.1}])
     index = {
         "laptop_articulated/slab": {"use": "train", "licence": "CC0", "notes": ""},
         "laptop/slab": {"use": "train", "licence": "CC0", "notes": ""},
@@ -39,10 +39,10 @@ def test_joints_counted_about_the_opposite_axis_are_turned_round(library: Path) 
     (laptop,) = load_meshes(library, "laptop_articulated", "train")
     shape = laptop.shape
     assert laptop.name == "laptop_articulated/slab"
-    np.testing.assert_allclose(shape.joint_limits, [[-2.0, -0.1]])
+    np.testing.assert_allclose(shape.joint_limits, [[0.1, 2.0]])
     np.testing.assert_allclose(shape.joint_origins, [[0, 0.0, -0.1]], atol=1e-6)
     np.testing.assert_allclose(merged(shape.parts).bounds().mean(0), 0, atol=1e-6)
-    rotation, translation = part_motions(shape, shape.joint_limits[:, 0])
+    rotation, translation = part_motions(shape, shape.joint_limits[:, 1])
     assert (shape.parts[1].moved(rotation[1], translation[1]).bounds()[1, 1]) > 0.15, "it opens upwards"
 
 
