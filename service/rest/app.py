@@ -5,7 +5,7 @@ from typing import Any
 from fastapi import FastAPI
 
 import captra
-from service.rest import catalog, frames, probes, problems, sessions
+from service.rest import catalog, documentation, frames, probes, problems, sessions
 from service.rest.dependencies import Workers
 from service.tracking_service import TrackingService
 
@@ -33,10 +33,11 @@ class CaptraApi(FastAPI):
 
 def create_app(service: TrackingService) -> FastAPI:
     """The REST API of a service; starting and stopping the service is up to the caller."""
-    app = CaptraApi(title="captra", version=captra.__version__, description=DESCRIPTION, redoc_url=None)
+    app = CaptraApi(title="captra", version=captra.__version__, description=DESCRIPTION, docs_url=None, redoc_url=None)
     app.state.service = service
     app.state.workers = Workers()
     problems.install(app)
+    documentation.install(app)
     for module in (sessions, frames, catalog, probes):
         app.include_router(module.router)
     return app

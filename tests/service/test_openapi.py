@@ -1,5 +1,6 @@
 """The OpenAPI document describes what the service does."""
 
+import re
 from typing import Any
 
 import pytest
@@ -88,3 +89,13 @@ def test_reasons_are_unique_and_their_counters_exist_from_the_start(service: Run
         assert service.metric(f'captra_frames_rejected_total{{reason="{reason}"}}') == 0
     for reason in REQUEST_REASONS:
         assert service.metric(f'captra_requests_rejected_total{{reason="{reason}"}}') == 0
+
+
+def test_the_page_for_people_loads_nothing_from_elsewhere(service: Running) -> None:
+    page = service.http.get("/docs").text
+    loaded = re.findall(r"""(?:src|href|url)\s*[=:]\s*["']([^"']+)["']""", page)
+    assert len(loaded) == 4  # script, style, icon, document
+    for path in loaded:
+        assert path.startswith("/"), path
+        assert service.http.get(path).status_code == 200
+    assert "://" not in page
