@@ -14,6 +14,9 @@ from clients.rest import OpenedSession
 LONGEST_BACKLOG = 256
 """Samples that may wait for this process; older ones go."""
 
+RETRY = {"period_init_ms": 100, "period_max_ms": 1000, "period_increase_factor": 2}
+"""How soon a service that was restarted is found again."""
+
 Receive = Callable[[bytes], None]
 
 
@@ -70,6 +73,7 @@ def connect(endpoints: tuple[str, ...], timeout_s: float) -> zenoh.Session:
     config.insert_json5("mode", '"client"')
     config.insert_json5("connect/endpoints", json.dumps(endpoints))
     config.insert_json5("connect/timeout_ms", str(int(1e3 * timeout_s)))
+    config.insert_json5("connect/retry", json.dumps(RETRY))
     config.insert_json5("scouting/multicast/enabled", "false")
     try:
         return zenoh.open(config)

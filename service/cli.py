@@ -29,6 +29,7 @@ def serve(
     from service.http_server import PortInUseError
     from service.run import run
     from service.settings import MissingConfigError, load_settings
+    from service.store import StoreError
     from service.transport import TransportError
 
     options = {"http_host": host, "http_port": port, "zenoh_listen": zenoh_listen or None, "models_dir": models_dir}
@@ -42,6 +43,6 @@ def serve(
     except (MissingConfigError, SettingsError) as error:
         typer.echo(f"captra serve: {error}", err=True)
         raise typer.Exit(2) from None
-    except (PortInUseError, TransportError) as error:
+    except (PortInUseError, StoreError, TransportError) as error:
         typer.echo(f"captra serve: {error}", err=True)
         raise typer.Exit(1) from None

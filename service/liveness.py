@@ -12,19 +12,26 @@ class CloseReason(StrEnum):
     IDLE = "idle"
     CLIENT_GONE = "client-gone"
     SHUTDOWN = "shutdown"
+    NOT_STORED = "not-stored"
 
 
 class Liveness:
     """Clock of one session; its methods may be called from any thread."""
 
     def __init__(
-        self, idle_timeout_s: float, client_grace_s: float, clock_s: Callable[[], float] = time.monotonic
+        self,
+        idle_timeout_s: float,
+        client_grace_s: float,
+        clock_s: Callable[[], float] = time.monotonic,
+        *,
+        client_awaited: bool = False,
     ) -> None:
+        """`client_awaited`: there was a client before this process, which has the grace time to come back."""
         self._idle_timeout_s = idle_timeout_s
         self._client_grace_s = client_grace_s
         self._clock_s = clock_s
         self._active_s = clock_s()
-        self._client_gone_s: float | None = None
+        self._client_gone_s = self._active_s if client_awaited else None
 
     def touch(self) -> None:
         """A frame or a new pose came."""

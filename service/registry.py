@@ -14,9 +14,9 @@ from service.ledger import Ledger
 from service.liveness import CloseReason, Liveness
 from service.networks import NetworksProvider
 from service.readiness import STOPPING
-from service.rejections import NotReadyError, RejectedError, TooManySessionsError, UnknownSessionError
+from service.rejections import NotReadyError, NotStoredError, RejectedError, TooManySessionsError, UnknownSessionError
 from service.session import Session
-from service.store import SessionRecord, SessionStore, TrustedPose
+from service.store import SessionRecord, SessionStore, StoreError, TrustedPose
 from service.telemetry import Telemetry
 from service.transport import Stream, Transport
 
@@ -72,6 +72,7 @@ class Registry:
             NotReadyError: the service stops.
             CategoryWithoutModelError: nothing tracks this category here.
             ModelNotLoadableError: its networks cannot be loaded.
+            NotStoredError: it would not survive a restart.
         """
         self._check_room()
         record = SessionRecord(
@@ -84,7 +85,11 @@ class Registry:
             trusted=TrustedPose(new.pose, None),
         )
         session = self._begin(record)
-        self._store.save(record)
+        try:
+            self._store.save(record)
+        except StoreError as error:
+            self.close(record.session_id, CloseReason.NOT_STORED)
+            raise NotStoredError(str(error)) from error
         logger.info("session opened", extra={"session_id": record.session_id, "category": record.category})
         return session
 
@@ -144,7 +149,9 @@ class Registry:
             entries = list(self._open.values())
             self._open.clear()
             self._stopped = True
-        for session, stream in entries:
+        for _, stream in entries:
+            stream.stop_receiving()
+        for session, stream in entries:  # by now the frames in hand finish side by side
             self._end(session, stream, CloseReason.SHUTDOWN)
 
     def _begin(self, record: SessionRecord) -> Session:
@@ -153,7 +160,7 @@ class Registry:
             record,
             engine,
             self._codecs(),
-            liveness=Liveness(record.idle_timeout_s, self._client_grace_s),
+            liveness=Liveness(record.idle_timeout_s, self._client_grace_s, client_awaited=record.has_client),
             ledger=Ledger(self._telemetry),
             store=self._store,
         )
@@ -164,12 +171,14 @@ class Registry:
                 self._open[record.session_id] = (session, stream)
         except RejectedError:
             stream.stop_receiving()
+            stream.finish()
             stream.close()
             raise
         return session
 
     def _end(self, session: Session, stream: Stream, reason: CloseReason) -> None:
         stream.stop_receiving()
+        stream.finish()
         session.close(reason)
         stream.close()
         logger.info("session closed", extra={"session_id": session.session_id, "reason": reason})

@@ -127,6 +127,10 @@ class TooManySessionsError(RequestRejectedError, status=429):
     """The service holds as many sessions as it may."""
 
 
+class NotStoredError(RequestRejectedError, status=503):
+    """The session cannot be kept over a restart, so it is not opened."""
+
+
 class UnknownSessionError(RequestRejectedError, status=404):
     """No session has this id, or it is closed."""
 

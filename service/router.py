@@ -2,12 +2,12 @@
 
 import json
 import logging
+import threading
 from contextlib import ExitStack
 
 import zenoh
 
 from service.keys import ServiceKeys, SessionKeys
-from service.liveness import Liveness
 from service.session import Session
 from service.streams import SessionStream
 from service.transport import TransportError
@@ -44,7 +44,9 @@ class ZenohTransport:
             4 * max_payload_bytes
         )  # what is only somewhat too large gets a reason instead of silence
         self._resources = ExitStack()
-        self._clients: dict[str, Liveness] = {}
+        self._sessions: dict[str, Session] = {}  # by the keys of their clients' tokens
+        self._tokens: set[str] = set()
+        self._lock = threading.Lock()
 
     @property
     def endpoints(self) -> tuple[str, ...]:
@@ -78,19 +80,26 @@ class ZenohTransport:
     def attach(self, session: Session) -> SessionStream:
         """Connect a session."""
         keys = self.keys(session.session_id)
-        self._clients[keys.client] = session.liveness
-        return SessionStream(self._session, keys, session, on_close=lambda: self._clients.pop(keys.client, None))
+        with self._lock:
+            self._sessions[keys.client] = session
+            client_there = keys.client in self._tokens  # after a restart clients come back before their sessions
+        if client_there:
+            session.client_there()
+        return SessionStream(self._session, keys, session, on_close=lambda: self._sessions.pop(keys.client, None))
 
     def close(self) -> None:
         """Stop listening."""
         self._resources.close()
 
     def _client_changed(self, sample: zenoh.Sample) -> None:
-        liveness = self._clients.get(str(sample.key_expr))
-        if liveness is None:
+        key, there = str(sample.key_expr), sample.kind == zenoh.SampleKind.PUT
+        with self._lock:
+            (self._tokens.add if there else self._tokens.discard)(key)
+            session = self._sessions.get(key)
+        if session is None:
             return
-        if sample.kind == zenoh.SampleKind.PUT:
-            liveness.client_back()
+        if there:
+            session.client_there()
         else:
-            logger.info("client token gone", extra={"key": str(sample.key_expr)})
-            liveness.client_gone()
+            logger.info("client token gone", extra={"session_id": session.session_id})
+            session.liveness.client_gone()

@@ -13,18 +13,22 @@ from service.logs import configure_logging
 from service.rest.app import create_app
 from service.router import ZenohTransport
 from service.settings import Settings
-from service.store import InMemorySessionStore
+from service.sqlite_store import SqliteSessionStore
 from service.tracking_service import TrackingService
 
 logger = logging.getLogger(__name__)
 
 
 def build_service(settings: Settings) -> TrackingService:
-    """A service of the bundles in the models folder, reached by Zenoh, with sessions in memory."""
+    """A service of the bundles in the models folder, reached by Zenoh, with sessions in the state folder.
+
+    Raises:
+        StoreError: sessions cannot be kept there.
+    """
     return TrackingService(
         settings,
         BundleNetworks(settings.models_dir, settings.profile, settings.provider, settings.threads),
-        InMemorySessionStore(),
+        SqliteSessionStore(settings.state_dir / f"{settings.service}.sqlite"),
         ZenohTransport(settings.service, settings.zenoh_listen, settings.zenoh_advertise, settings.max_payload_bytes),
     )
 
@@ -34,6 +38,7 @@ def run(settings: Settings, build: Callable[[Settings], TrackingService] = build
 
     Raises:
         PortInUseError: the REST API cannot listen.
+        StoreError: sessions cannot be kept.
         TransportError: Zenoh cannot listen.
     """
     configure_logging(settings.log_level)

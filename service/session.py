@@ -3,6 +3,7 @@
 import logging
 import threading
 import time
+from dataclasses import replace
 
 import numpy as np
 from jaxtyping import Float32
@@ -21,7 +22,7 @@ from service.rejections import InternalError, NoPointsNearObjectError, RejectedE
 from service.reporter import Reporter
 from service.results import Event, EventKind, Result
 from service.sequence import Sequence
-from service.store import SessionRecord, SessionStore, TrustedPose
+from service.store import SessionRecord, SessionStore, StoreError, TrustedPose
 
 logger = logging.getLogger(__name__)
 
@@ -30,6 +31,7 @@ CLOSE_DETAILS = {
     CloseReason.IDLE: "no frame came for as long as the session may be idle: open a new one",
     CloseReason.CLIENT_GONE: "the client's liveliness token is gone: open a new session",
     CloseReason.SHUTDOWN: "the service stops",
+    CloseReason.NOT_STORED: "the session could not be stored",
 }
 
 
@@ -57,6 +59,7 @@ class Session:
         self._category = engine.networks.category
         self._reporter = Reporter(record, engine.networks.category)
         self._store = store
+        self._trusted = record.trusted
         self._tracker = engine.start(record.trusted.pose)
         self._sequence = Sequence(record.trusted.seq)
         self._observer: Observer = NullObserver()
@@ -78,6 +81,18 @@ class Session:
     def last_result(self) -> Result:
         """The newest result; before the first one, the pose that was given."""
         return self._last_result
+
+    def client_there(self) -> None:
+        """The client's liveliness token is there; the store remembers, so that its absence after a restart tells."""
+        self.liveness.client_back()
+        with self._lock:
+            if self._closed or self.record.has_client:
+                return
+            self.record = replace(self.record, has_client=True)
+            try:
+                self._store.save(replace(self.record, trusted=self._trusted))
+            except StoreError:
+                logger.exception("client not stored", extra={"session_id": self.session_id})
 
     def observe(self, observer: Observer) -> None:
         """Tell `observer` from now on."""
@@ -130,7 +145,7 @@ class Session:
             self.liveness.touch()
             self._tracker.reset(pose)
             self._sequence.restart()
-            self._store.trust(self.session_id, TrustedPose(pose, None))
+            self._trust(TrustedPose(pose, None))
             previous, self._last_result = self._last_result.state, self._reporter.given(pose)
             self._tell(EventKind.RESET, previous)
             return self._last_result
@@ -168,11 +183,15 @@ class Session:
         dropped = self._sequence.accept(header.seq)
         result = self._reporter.tracked(tracked, header, 1e3 * waited_s, 1e3 * (time.perf_counter() - arrived_s))
         if tracked.state is State.TRACKING:
-            self._store.trust(self.session_id, TrustedPose(tracked.pose, header.seq))
+            self._trust(TrustedPose(tracked.pose, header.seq))
         previous, self._last_result = self._last_result.state, result
         self.ledger.processed(result.confidence, dropped)
         self._publish(result, previous)
         return result
+
+    def _trust(self, trusted: TrustedPose) -> None:
+        self._trusted = trusted
+        self._store.trust(self.session_id, trusted)
 
     def _publish(self, result: Result, previous: State) -> None:
         started_s = time.perf_counter()

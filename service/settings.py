@@ -37,7 +37,7 @@ class Settings(BaseSettings):
     models_dir: Path = Path(__file__).resolve().parent.parent / "models"
     """Folder of model bundles, one a category."""
     state_dir: Path = Field(default_factory=lambda: Path.home() / ".local" / "state" / "captra")
-    """Folder for state that outlives the process. Sessions live in memory so far: nothing is written to it yet."""
+    """Folder for state that outlives the process: one SQLite file of sessions for each deployment."""
     profile: ProfileName = "realtime"
     """Sampling budget of sessions that name none."""
     provider: str = "auto"

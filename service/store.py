@@ -36,13 +36,21 @@ class SessionRecord:
     """When it was opened, nanoseconds since 1970."""
     trusted: TrustedPose
     """The last pose worth going on from."""
+    has_client: bool = False
+    """Whether a client's liveliness token was seen: when it does not come back, neither does the client."""
+    secret_sha256: str | None = None
+    """Hexadecimal digest of the secret that has to accompany clouds by Zenoh; none when anybody may put them."""
+
+
+class StoreError(RuntimeError):
+    """Sessions cannot be kept; says what to do."""
 
 
 class SessionStore(Protocol):
     """Keeps records of open sessions; every method may be called from any thread and returns quickly."""
 
     def save(self, record: SessionRecord) -> None:
-        """Add or replace a session."""
+        """Add or replace a session; raises StoreError when it cannot be kept."""
 
     def trust(self, session_id: str, trusted: TrustedPose) -> None:
         """Remember a session's last trusted pose; nothing happens for a session that is not kept."""

@@ -51,6 +51,7 @@ class SessionStream:
         self, zenoh_session: zenoh.Session, keys: SessionKeys, session: Session, on_close: Callable[[], object]
     ) -> None:
         self._session = session
+        self._stopped = False
         self._router_id = str(zenoh_session.zid())
         with ExitStack() as resources:
             resources.callback(on_close)
@@ -72,8 +73,13 @@ class SessionStream:
         self._put(self._events, event)
 
     def stop_receiving(self) -> None:
-        """Take no more clouds, and finish the one in hand."""
-        self._clouds.undeclare()
+        """Take no more clouds."""
+        if not self._stopped:
+            self._stopped = True
+            self._clouds.undeclare()
+
+    def finish(self) -> None:
+        """Wait for the one in hand."""
         self._thread.join()
 
     def close(self) -> None:

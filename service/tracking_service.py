@@ -64,8 +64,8 @@ class TrackingService:
         self.readiness.stopping()
         self._sweeper.stop()
         self.registry.shut_down()
-        self.transport.close()
         self._store.close()
+        self.transport.close()
         logger.info("stopped")
 
     def __enter__(self) -> Self:

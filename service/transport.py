@@ -10,7 +10,10 @@ class Stream(Protocol):
     """One session's connection."""
 
     def stop_receiving(self) -> None:
-        """Take no more clouds, and finish the one in hand."""
+        """Take no more clouds; more than once does no harm."""
+
+    def finish(self) -> None:
+        """Wait for the one in hand."""
 
     def close(self) -> None:
         """Withdraw what was declared; nothing can be told afterwards."""

@@ -15,6 +15,7 @@ from service.rejections import (
     ModelNotLoadableError,
     NotARotationError,
     NotReadyError,
+    NotStoredError,
     RejectedError,
     SizeNotPositiveError,
     TooManySessionsError,
@@ -44,6 +45,7 @@ OPENING_PROBLEMS = (
     UnsupportedOptionError,
     TooManySessionsError,
     NotReadyError,
+    NotStoredError,
 )
 
 

@@ -9,6 +9,7 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import IO
 
 import httpx
@@ -22,7 +23,9 @@ ENDS_WITHIN_S = 5
 
 @contextmanager
 def process(*arguments: str, **variables: str) -> Iterator[subprocess.Popen[str]]:
-    """A Python process in the root of the project, killed at the end if it still runs."""
+    """A Python process in the root of the project, with state of its own, killed at the end if it still runs."""
+    state = TemporaryDirectory(prefix="captra-state-")
+    variables = {"CAPTRA_STATE_DIR": state.name} | variables
     started = subprocess.Popen(
         [sys.executable, *arguments],
         cwd=ROOT,
@@ -36,6 +39,7 @@ def process(*arguments: str, **variables: str) -> Iterator[subprocess.Popen[str]
     finally:
         started.kill()
         started.communicate()
+        state.cleanup()
 
 
 def stream(pipe: IO[str] | None) -> IO[str]:

@@ -1,0 +1,18 @@
+"""A service process whose networks follow the middle of a cloud, with sessions in its state folder."""
+
+from service.router import ZenohTransport
+from service.run import run
+from service.settings import Settings
+from service.sqlite_store import SqliteSessionStore
+from service.tracking_service import TrackingService
+from tests.service.support import CentreProvider
+
+
+def build(settings: Settings) -> TrackingService:
+    store = SqliteSessionStore(settings.state_dir / f"{settings.service}.sqlite")
+    transport = ZenohTransport(settings.service, settings.zenoh_listen, (), settings.max_payload_bytes)
+    return TrackingService(settings, CentreProvider("mug"), store, transport)
+
+
+if __name__ == "__main__":
+    run(Settings(), build)

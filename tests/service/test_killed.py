@@ -1,0 +1,108 @@
+"""kill -9 in mid-stream: the next process goes on with every session, and clients notice nothing but a gap."""
+
+import json
+import threading
+import time
+from contextlib import ExitStack
+from pathlib import Path
+
+import httpx
+import numpy as np
+import pytest
+
+from captra.geometry import Pose
+from clients import Session, open_session
+from clients.results import Result
+from clients.service_process import free_ports
+from tests.service.support import blob, f32, session_body
+from tests.service.test_process import entry, process, stream
+
+STARTS = [(0.3 * index, 0.0, 0.5) for index in range(3)]
+
+
+def pose_at(start: tuple[float, float, float]) -> Pose:
+    return Pose.from_size(np.eye(3)[None], np.array([start]), np.full((1, 3), 0.1))
+
+
+def variables_of(state_dir: Path, **more: str) -> dict[str, str]:
+    http_port, zenoh_port = free_ports(2)
+    return {
+        "CAPTRA_HTTP_PORT": str(http_port),
+        "CAPTRA_ZENOH_LISTEN": json.dumps([f"tcp/127.0.0.1:{zenoh_port}"]),
+        "CAPTRA_STATE_DIR": str(state_dir),
+    } | more
+
+
+def next_result(session: Session, after_seq: int) -> Result:
+    deadline = time.monotonic() + 20
+    while time.monotonic() < deadline:
+        if session.latest is not None and session.latest.seq > after_seq:
+            return session.latest
+        time.sleep(0.01)
+    raise AssertionError(f"session {session.session_id} did not go on")
+
+
+def test_killed_service_goes_on_with_every_session_and_its_clients(tmp_path: Path) -> None:
+    variables = variables_of(tmp_path)
+    url = f"http://127.0.0.1:{variables['CAPTRA_HTTP_PORT']}"
+    stop, reached = threading.Event(), [0.0]
+    with ExitStack() as resources:
+        service = resources.enter_context(process("-m", "tests.service.quick_service", **variables))
+        entry(stream(service.stderr), "ready")
+        sessions = [resources.enter_context(open_session("mug", pose_at(start), url=url)) for start in STARTS]
+
+        def feed() -> None:
+            while not stop.wait(0.02):
+                reached[0] = min(reached[0] + 0.001, 0.2)
+                for session, start in zip(sessions, STARTS, strict=True):
+                    session.put(blob((start[0], reached[0], start[2])))
+
+        feeder = threading.Thread(target=feed)
+        feeder.start()
+        resources.callback(feeder.join)
+        resources.callback(stop.set)
+        while reached[0] < 0.05:
+            time.sleep(0.01)
+        before = [next_result(session, 5) for session in sessions]
+        listed = httpx.get(f"{url}/v1/sessions").json()["sessions"]
+        service.kill()  # SIGKILL
+        service.wait()
+        again = resources.enter_context(process("-m", "tests.service.quick_service", **variables))
+        entry(stream(again.stderr), "ready")
+        shown = {each["session_id"]: each for each in httpx.get(f"{url}/v1/sessions").json()["sessions"]}
+        assert set(shown) == {each["session_id"] for each in listed}
+        for each in listed:
+            assert shown[each["session_id"]]["zenoh"] == each["zenoh"]
+        last_put = before[0].seq + 20
+        for session, start in zip(sessions, STARTS, strict=True):
+            result = next_result(session, last_put)
+            assert result.session_id == session.session_id
+            assert result.parts[0].translation[0] == pytest.approx(start[0], abs=0.01)
+            assert result.parts[0].translation[1] > 0.05
+
+
+def test_session_whose_client_died_with_the_service_is_freed_after_the_grace_time(tmp_path: Path) -> None:
+    variables = variables_of(tmp_path, CAPTRA_CLIENT_GRACE_S="0.5")
+    url = f"http://127.0.0.1:{variables['CAPTRA_HTTP_PORT']}"
+    client = f"""
+import os, numpy as np
+from captra.geometry import Pose
+from clients import open_session
+pose = Pose.from_size(np.eye(3)[None], np.array([[0, 0, 0.5]]), np.full((1, 3), 0.1))
+session = open_session("mug", pose, url="{url}")
+print(session.session_id, flush=True)
+input()
+"""
+    with process("-m", "tests.service.quick_service", **variables) as service:
+        entry(stream(service.stderr), "ready")
+        kept = httpx.post(f"{url}/v1/sessions", json=session_body()).json()["session_id"]  # it never had a client
+        with process("-c", client) as dying:
+            orphan = stream(dying.stdout).readline().strip()
+            service.kill()
+            service.wait()
+    with process("-m", "tests.service.quick_service", **variables) as again:
+        closed = entry(stream(again.stderr), "session closed")
+        assert (closed["session_id"], closed["reason"]) == (orphan, "client-gone")
+        frame = f"{url}/v1/sessions/{kept}/frames?seq=0&stamp_ns=0"
+        headers = {"Content-Type": "application/vnd.captra.cloud.f32"}
+        assert httpx.post(frame, content=f32(blob()), headers=headers).status_code == 200
