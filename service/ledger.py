@@ -61,6 +61,10 @@ class Ledger:
             self._reasons[reason] += 1
         self._telemetry.frame_rejected(reason)
 
+    def event_dropped(self) -> None:
+        """An event went untold, because those who listen are too slow."""
+        self._telemetry.event_dropped()
+
     def spent(self, **stages_ms: float) -> None:
         """Time that stages of a frame took, milliseconds."""
         self._telemetry.spent(stages_ms)

@@ -90,6 +90,7 @@ class Registry:
         except StoreError as error:
             self.close(record.session_id, CloseReason.NOT_STORED)
             raise NotStoredError(str(error)) from error
+        self._telemetry.session_opened()
         logger.info("session opened", extra={"session_id": record.session_id, "category": record.category})
         return session
 
@@ -102,6 +103,7 @@ class Registry:
             except RejectedError as rejection:  # it stays stored: the next process may have its model
                 logger.error("session not restored: %s", rejection, extra=about)
             else:
+                self._telemetry.session_restored()
                 logger.info("session restored", extra=about)
 
     def get(self, session_id: str) -> Session:
@@ -181,6 +183,7 @@ class Registry:
         stream.finish()
         session.close(reason)
         stream.close()
+        self._telemetry.session_closed(reason)
         logger.info("session closed", extra={"session_id": session.session_id, "reason": reason})
 
     def _check_room(self) -> None:

@@ -4,11 +4,12 @@ import logging
 import threading
 import time
 from collections.abc import Callable
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 
 import zenoh
 from zenoh import ext
 
+from service.announcer import Announcer
 from service.envelopes import Envelope
 from service.keys import SessionKeys
 from service.rejections import RejectedError, UnknownSessionError
@@ -34,14 +35,20 @@ def declare_poses(zenoh_session: zenoh.Session, key: str) -> ext.AdvancedPublish
 
 
 def declare_events(zenoh_session: zenoh.Session, key: str) -> zenoh.Publisher:
-    """Events: rare, and never dropped."""
+    """Events: never dropped on the way; of a priority that poses overtake, so that none waits behind one of them."""
     return zenoh_session.declare_publisher(
         key,
         encoding=zenoh.Encoding.APPLICATION_JSON,
         reliability=zenoh.Reliability.RELIABLE,
         congestion_control=zenoh.CongestionControl.BLOCK,
-        priority=zenoh.Priority.INTERACTIVE_HIGH,
+        priority=zenoh.Priority.DATA,
     )
+
+
+def withdraw(publisher: zenoh.Publisher) -> None:
+    """Undeclare a publisher, unless its Zenoh session was closed before."""
+    with suppress(zenoh.ZError):
+        publisher.undeclare()
 
 
 class SessionStream:
@@ -56,7 +63,14 @@ class SessionStream:
         with ExitStack() as resources:
             resources.callback(on_close)
             self._poses = resources.enter_context(declare_poses(zenoh_session, keys.pose))
-            self._events = resources.enter_context(declare_events(zenoh_session, keys.event))
+            events = declare_events(zenoh_session, keys.event)
+            self._announcer = Announcer(
+                lambda event: self._put(events, event),
+                on_drop=session.ledger.event_dropped,
+                on_end=lambda: withdraw(events),
+                name=session.session_id,
+            )
+            resources.callback(self._announcer.close)
             resources.enter_context(zenoh_session.liveliness().declare_token(keys.alive))
             session.observe(self)
             self._clouds = zenoh_session.declare_subscriber(keys.cloud, zenoh.handlers.RingChannel(1))
@@ -69,8 +83,8 @@ class SessionStream:
         self._put(self._poses, result)
 
     def event(self, event: Event) -> None:
-        """Put an event."""
-        self._put(self._events, event)
+        """Put an event, soon."""
+        self._announcer.put(event)
 
     def stop_receiving(self) -> None:
         """Take no more clouds."""

@@ -3,9 +3,10 @@
 from collections.abc import Callable, Mapping
 from functools import partial
 
-from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram, generate_latest
+from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram, ProcessCollector, generate_latest
 
 from captra.health import State
+from service.liveness import CloseReason
 from service.rejections import FRAME_REASONS, REQUEST_REASONS
 
 STAGE_BUCKETS_S = (0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.033, 0.05, 0.067, 0.1, 0.2, 0.5, 1.0, 2.0)
@@ -34,6 +35,17 @@ class Telemetry:
             ["reason"],
             registry=registry,
         )
+        self._events_dropped = Counter(
+            "captra_events_dropped_total", "Events untold because subscribers are too slow.", registry=registry
+        )
+        self._opened = Counter("captra_sessions_opened_total", "Sessions opened by clients.", registry=registry)
+        self._restored = Counter(
+            "captra_sessions_restored_total", "Sessions gone on with from the store.", registry=registry
+        )
+        self._closed = Counter(
+            "captra_sessions_closed_total", "Sessions ended, by reason.", ["reason"], registry=registry
+        )
+        ProcessCollector(registry=registry)  # memory, file handles, CPU time
         self._stages = Histogram(
             "captra_stage_seconds",
             "Time of one frame, by stage.",
@@ -50,12 +62,30 @@ class Telemetry:
             self._rejected.labels(reason)
         for reason in REQUEST_REASONS:
             self._requests_rejected.labels(reason)
+        for close_reason in CloseReason:
+            self._closed.labels(close_reason.value)
 
     def watch(self, count_sessions: Callable[[State], int], is_ready: Callable[[], bool]) -> None:
         """Ask for these whenever the metrics are read."""
         for state in State:
             self._sessions.labels(state.value).set_function(partial(count_sessions, state))
         self._ready.set_function(is_ready)
+
+    def session_opened(self) -> None:
+        """A client opened a session."""
+        self._opened.inc()
+
+    def session_restored(self) -> None:
+        """A session went on from the store."""
+        self._restored.inc()
+
+    def session_closed(self, reason: CloseReason) -> None:
+        """A session ended."""
+        self._closed.labels(reason.value).inc()
+
+    def event_dropped(self) -> None:
+        """An event went untold."""
+        self._events_dropped.inc()
 
     def frame_received(self) -> None:
         """A frame came."""

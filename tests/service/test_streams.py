@@ -1,8 +1,12 @@
 """Clouds in and poses out over a real Zenoh router."""
 
+import threading
+
 import pytest
 import zenoh
 
+from service.envelopes import Envelope
+from service.rejections import UnknownEncodingError
 from tests.service.support import (
     I16,
     STAMP_NS,
@@ -10,6 +14,7 @@ from tests.service.support import (
     Running,
     blob,
     f32,
+    free_endpoint,
     i16,
     inbox,
     late_inbox,
@@ -85,6 +90,34 @@ def barrier(service: Running, network: zenoh.Session) -> None:
         witnessed = inbox(witness, "captra/test/barrier")
         Camera(network, "captra/test/barrier").put(b"")
         witnessed.sample(0)
+
+
+def test_slow_subscriber_never_slows_tracking() -> None:
+    endpoint = f"{free_endpoint()}#so_sndbuf=8192"
+    with (
+        running("mug", endpoint=endpoint) as service,
+        zenoh_client(service.endpoint) as slow,
+        zenoh_client(service.endpoint) as network,
+    ):
+        assert service.service.readiness.wait_prepared(30)
+        opened = service.open_session()
+        stuck = threading.Event()
+
+        def hold(sample: zenoh.Sample) -> None:
+            stuck.wait()
+
+        for key in ("pose", "event"):  # reads nothing any more: its link fills up
+            slow.declare_subscriber(opened["zenoh"][key], zenoh.handlers.Callback(hold, indirect=False))
+        events = inbox(network, opened["zenoh"]["event"])
+        session = service.service.registry.get(opened["session_id"])
+        bad = Envelope("text/" + 100 * "x", b"", None, 0.0)
+        for _ in range(3000):  # each an event; a put that blocked would wait five seconds for the slow one
+            with pytest.raises(UnknownEncodingError):
+                session.process(bad)
+        assert service.post_frame(opened["session_id"], f32(blob())).status_code == 200
+        assert events.message(0)["reason"] == "unknown-encoding"
+        assert service.metric("captra_events_dropped_total") > 0
+        stuck.set()
 
 
 def test_late_subscriber_gets_the_last_result(service: Running, network: zenoh.Session) -> None:
