@@ -187,10 +187,11 @@ def test_session_follows_its_client_after_a_grace_time() -> None:
         events = inbox(network, opened["zenoh"]["event"])
         poses = inbox(network, opened["zenoh"]["pose"])
         with zenoh_client(service.endpoint) as client:
-            client.liveliness().declare_token(opened["zenoh"]["cloud"].removesuffix("cloud") + "client")
+            token = client.liveliness().declare_token(opened["zenoh"]["cloud"].removesuffix("cloud") + "client")
             Camera(client, opened["zenoh"]["cloud"]).put(f32(blob()))
             poses.message(0)
             assert service.session(opened["session_id"])["counters"]["processed"] == 1
+            token.undeclare()
         assert events.wait_for("closing")["reason"] == "client-gone"
         assert service.http.get(f"/v1/sessions/{opened['session_id']}").status_code == 404
 
