@@ -11,7 +11,7 @@ TORCH ?= torch==2.13.0
 
 STAMP := $(VENV)/installed-$(RUNTIME)
 
-.PHONY: venv demo serve test lint bench clean
+.PHONY: venv demo serve test lint image bench clean
 
 venv: $(STAMP)
 
@@ -37,6 +37,10 @@ lint: venv
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
+
+# The image without a container engine: every step of the Dockerfile in a folder, then a recording tracked by it. Root.
+image: venv
+	$(BIN)/python -m docker.rehearse --runtime $(RUNTIME) $(ARGS)
 
 bench: venv
 	$(BIN)/captra bench $(ARGS)

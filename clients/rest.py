@@ -1,7 +1,7 @@
 """The service's REST calls that a client needs."""
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 from urllib.parse import urlsplit
@@ -67,6 +67,14 @@ class RestApi:
     def session(self, session_id: str) -> Mapping[str, Any]:
         """GET state, last result and counters."""
         return self._call("GET", f"/v1/sessions/{session_id}")
+
+    def sessions(self) -> Sequence[Mapping[str, Any]]:
+        """GET every session, oldest first."""
+        return self._call("GET", "/v1/sessions")["sessions"]  # type: ignore[no-any-return]
+
+    def models(self) -> Sequence[Mapping[str, Any]]:
+        """GET what can be tracked, and with what."""
+        return self._call("GET", "/v1/models")["models"]  # type: ignore[no-any-return]
 
     def reset(self, session_id: str, pose: Pose) -> None:
         """PUT a new pose."""
