@@ -39,6 +39,12 @@ class DepthImage:
     intrinsics: Intrinsics
     """Of the camera."""
 
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Rows and columns."""
+        rows, columns = self.pixels.shape
+        return rows, columns
+
     def near(self, centre: Float64[np.ndarray, "3"], radius_m: float) -> Crop:
         """The points less than `radius_m` from `centre`; only pixels that can show such a point are read."""
         window = self._window(centre, radius_m)

@@ -29,6 +29,10 @@ class Crop:
 class Observation(Protocol):
     """One frame of a sensor, in whatever form it came."""
 
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Rows and columns; a list of points is one row."""
+
     def near(self, centre: Float64[np.ndarray, "3"], radius_m: float) -> Crop:
         """The points less than `radius_m` from `centre` (metres, the sensor's frame), row by row."""
 
@@ -53,6 +57,12 @@ class PointCloud:
         x, y, z = np.asarray(points, np.float32).T
         return PointCloud(x[None], y[None], z[None])
 
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Rows and columns."""
+        rows, columns = self.x.shape
+        return rows, columns
+
     def near(self, centre: Float64[np.ndarray, "3"], radius_m: float) -> Crop:
         """The points less than `radius_m` from `centre`, in one pass over the coordinates as they are."""
         x, y, z = self._read_only()
@@ -70,6 +80,13 @@ class PointCloud:
         for view in views:
             view.setflags(write=False)
         return views
+
+
+def warm_up() -> None:
+    """Compile or load the kernel for coordinates side by side and for coordinates one after the other."""
+    points = np.zeros((2, 3), np.float32)
+    for cloud in (PointCloud.of(points), PointCloud(*np.zeros((3, 2, 2), np.float32))):
+        cloud.near(np.zeros(3), 1.0)
 
 
 @compiled

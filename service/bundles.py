@@ -5,7 +5,7 @@ import logging
 from collections.abc import Sequence
 from pathlib import Path
 
-from captra import depth_images, sampling
+from captra import depth_images, observations, sampling
 from captra.health import ConfidenceModel, HealthMonitor
 from captra.runtime.bundle import BundleError, find_bundles, load_manifest
 from captra.runtime.onnx_networks import OnnxNetworks
@@ -36,6 +36,7 @@ class BundleNetworks:
             NoModelError: not one bundle can be used.
         """
         sampling.warm_up()
+        observations.warm_up()
         depth_images.warm_up()
         for category in self._bundles:
             try:

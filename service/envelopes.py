@@ -13,12 +13,20 @@ ATTACHMENT = struct.Struct("<Qq")
 class FrameHeader:
     """What came with a cloud."""
 
-    seq: int
-    """Number of the frame, rising."""
+    seq: int | None
+    """Number of the frame, rising; none where the session shall number it."""
     stamp_ns: int
     """When the sensor saw it, on the client's clock."""
     frame_id: str | None = None
     """Frame of the coordinates where the message names one; otherwise the session's."""
+
+
+@dataclass(frozen=True)
+class NumberedHeader(FrameHeader):
+    """The header of a frame that has its place among the others."""
+
+    seq: int
+    """Number of the frame, rising."""
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from captra.geometry import Pose
 from captra.health import State
+from service.camera import Camera
 from service.codecs import Codecs
 from service.ledger import Ledger
 from service.liveness import CloseReason, Liveness
@@ -37,6 +38,10 @@ class NewSession:
     """Closed after so long without a frame."""
     pose: Pose
     """Where the object is in the first cloud."""
+    camera: Camera | None = None
+    """Of depth images."""
+    masks: str | None = None
+    """What masks that travel with frames tell."""
 
 
 class Registry:
@@ -48,7 +53,7 @@ class Registry:
         store: SessionStore,
         transport: Transport,
         telemetry: Telemetry,
-        codecs: Callable[[], Codecs],
+        codecs: Callable[[SessionRecord], Codecs],
         *,
         max_sessions: int,
         client_grace_s: float,
@@ -83,6 +88,8 @@ class Registry:
             idle_timeout_s=new.idle_timeout_s,
             created_ns=time.time_ns(),
             trusted=TrustedPose(new.pose, None),
+            camera=new.camera,
+            masks=new.masks,
         )
         session = self._begin(record)
         try:
@@ -161,7 +168,7 @@ class Registry:
         session = Session(
             record,
             engine,
-            self._codecs(),
+            self._codecs(record),
             liveness=Liveness(record.idle_timeout_s, self._client_grace_s, client_awaited=record.has_client),
             ledger=Ledger(self._telemetry),
             store=self._store,

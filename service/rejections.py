@@ -79,6 +79,26 @@ class NoPointsNearObjectError(FrameRejectedError):
     """The cloud holds nothing where the object was."""
 
 
+class MalformedMessageError(FrameRejectedError):
+    """The payload is no ROS message of the type it should be."""
+
+
+class UnsupportedFieldsError(FrameRejectedError):
+    """The cloud has no x, y and z that can be read."""
+
+
+class MalformedImageError(FrameRejectedError):
+    """The payload is no image of the kind it should be."""
+
+
+class WrongImageSizeError(FrameRejectedError):
+    """The image has other columns or rows than the session's camera."""
+
+
+class MalformedMaskError(FrameRejectedError):
+    """The mask or box that came with a frame cannot be used."""
+
+
 class InternalError(FrameRejectedError, reason="internal-error", status=500):
     """The frame met a defect of the service."""
 

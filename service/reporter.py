@@ -5,7 +5,7 @@ from captra.geometry import Pose
 from captra.health import State
 from captra.joints import joint_values
 from captra.tracker import TrackResult
-from service.envelopes import FrameHeader
+from service.envelopes import NumberedHeader
 from service.results import Result, Timing, part_poses
 from service.store import SessionRecord
 
@@ -30,7 +30,7 @@ class Reporter:
             joints=joint_values(pose, self._category),
         )
 
-    def tracked(self, found: TrackResult, header: FrameHeader, queue_ms: float, total_ms: float) -> Result:
+    def tracked(self, found: TrackResult, header: NumberedHeader, queue_ms: float, total_ms: float) -> Result:
         """What one frame told."""
         timing = found.timing
         return Result(

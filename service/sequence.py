@@ -17,6 +17,10 @@ class Sequence:
         """Number of the last frame processed; none at the start and after a restart."""
         return self._last
 
+    def next(self) -> int:
+        """The number of a frame that brings none."""
+        return 0 if self._last is None else self._last + 1
+
     def check(self, seq: int) -> None:
         """Refuse what is not newer than the last frame.
 

@@ -5,15 +5,14 @@ import threading
 import time
 from dataclasses import replace
 
-import numpy as np
-from jaxtyping import Float32
-
 from captra.categories import Category
 from captra.geometry import Pose
 from captra.health import State
+from captra.observations import Observation
 from captra.sampling import NoPointsError
+from captra.segmentation import Segmentation
 from service.codecs import Codecs
-from service.envelopes import Envelope, FrameHeader
+from service.envelopes import Envelope, FrameHeader, NumberedHeader
 from service.ledger import Ledger
 from service.liveness import CloseReason, Liveness
 from service.networks import Engine
@@ -110,14 +109,16 @@ class Session:
         started_s = time.perf_counter()
         header: FrameHeader | None = None
         try:
-            codec = self.codecs.find(envelope.encoding)
-            header = codec.header(envelope)
-            points = codec.points(envelope)
+            frame, mask = self.codecs.open(envelope)
+            header = frame.header
+            observation = frame.observe()
+            segmentation = self.codecs.segmentation(mask, observation)
             decoded_s = time.perf_counter()
             with self._lock:
                 waited_s = (started_s - envelope.arrived_s) + (time.perf_counter() - decoded_s)
                 self.ledger.spent(decode=1e3 * (decoded_s - started_s))
-                return self._step(header, points, envelope.arrived_s, waited_s)
+                header = self._numbered(header)
+                return self._step(header, observation, segmentation, envelope.arrived_s, waited_s)
         except UnknownSessionError:
             raise
         except RejectedError as rejection:
@@ -171,13 +172,22 @@ class Session:
         if self._closed:
             raise UnknownSessionError(f"session {self.session_id} is closed: open a new one")
 
+    def _numbered(self, header: FrameHeader) -> NumberedHeader:
+        seq = self._sequence.next() if header.seq is None else header.seq
+        return NumberedHeader(seq, header.stamp_ns, header.frame_id)
+
     def _step(
-        self, header: FrameHeader, points: Float32[np.ndarray, "points 3"], arrived_s: float, waited_s: float
+        self,
+        header: NumberedHeader,
+        observation: Observation,
+        segmentation: Segmentation,
+        arrived_s: float,
+        waited_s: float,
     ) -> Result:
         self._check_open()
         self._sequence.check(header.seq)
         try:
-            tracked = self._tracker.step(points)
+            tracked = self._tracker.step(observation, segmentation)
         except NoPointsError as error:
             raise NoPointsNearObjectError(str(error)) from error
         dropped = self._sequence.accept(header.seq)

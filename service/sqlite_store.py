@@ -11,7 +11,9 @@ from typing import Any
 import numpy as np
 import orjson
 
+from captra.depth_images import Intrinsics
 from captra.geometry import Pose
+from service.camera import Camera
 from service.store import SessionRecord, StoreError, TrustedPose
 
 logger = logging.getLogger(__name__)
@@ -193,4 +195,10 @@ def record_of(settings: bytes, trusted: bytes) -> SessionRecord:
     """
     pose = orjson.loads(trusted)
     arrays = {name: np.array(pose[name], np.float64) for name in POSE_FIELDS}
-    return SessionRecord(**orjson.loads(settings), trusted=TrustedPose(Pose(**arrays), pose["seq"]))
+    fields = orjson.loads(settings)
+    camera = fields.pop("camera", None)
+    return SessionRecord(
+        **fields,
+        camera=None if camera is None else Camera(**camera | {"intrinsics": Intrinsics(**camera["intrinsics"])}),
+        trusted=TrustedPose(Pose(**arrays), pose["seq"]),
+    )

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Protocol
 
 from captra.geometry import Pose
+from service.camera import Camera
 
 
 @dataclass(frozen=True)
@@ -40,6 +41,10 @@ class SessionRecord:
     """Whether a client's liveliness token was seen: when it does not come back, neither does the client."""
     secret_sha256: str | None = None
     """Hexadecimal digest of the secret that has to accompany clouds by Zenoh; none when anybody may put them."""
+    camera: Camera | None = None
+    """Of depth images; none where only clouds come."""
+    masks: str | None = None
+    """What masks that travel with frames tell: `object` or `parts`; none where none come."""
 
 
 class StoreError(RuntimeError):

@@ -5,12 +5,13 @@ import threading
 from types import TracebackType
 from typing import Self
 
-from service.codecs import build_codecs
+from captra.categories import get_category
+from service.codecs import Codecs, build_codecs
 from service.networks import NetworksProvider, NoModelError
 from service.readiness import Readiness
 from service.registry import Registry
 from service.settings import Settings
-from service.store import SessionStore
+from service.store import SessionRecord, SessionStore
 from service.sweeper import Sweeper
 from service.telemetry import Telemetry
 from service.transport import Transport
@@ -37,7 +38,7 @@ class TrackingService:
             store,
             transport,
             self.telemetry,
-            lambda: build_codecs(settings.max_points, settings.max_payload_bytes),
+            self._codecs_of,
             max_sessions=settings.max_sessions,
             client_grace_s=settings.client_grace_s,
         )
@@ -76,6 +77,10 @@ class TrackingService:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self.stop()
+
+    def _codecs_of(self, record: SessionRecord) -> Codecs:
+        limits = (self.settings.max_points, self.settings.max_payload_bytes)
+        return build_codecs(*limits, get_category(record.category), record.camera, record.masks)
 
     def _prepare(self) -> None:
         try:

@@ -2,7 +2,7 @@
 
 from pydantic.config import JsonDict, JsonValue
 
-from service.codecs import CLOUD_F32, CLOUD_I16
+from service.codecs import CDR, CLOUD_F32, CLOUD_I16
 
 SESSION_ID = "9f2c1e07ab34d658"
 MUG_PART: JsonDict = {
@@ -10,6 +10,7 @@ MUG_PART: JsonDict = {
     "translation": [0.02, -0.05, 0.61],
     "size": [0.12, 0.09, 0.08],
 }
+DEPTH_CAMERA: JsonDict = {"fx": 590.0, "fy": 590.0, "cx": 319.5, "cy": 239.5, "width": 640, "height": 480}
 MUG_RESULT: JsonDict = {
     "session_id": SESSION_ID,
     "seq": 7,
@@ -34,7 +35,7 @@ STREAM_KEYS: JsonDict = {
     "event": f"captra/default/sessions/{SESSION_ID}/event",
     "endpoints": ["tcp/127.0.0.1:7447"],
 }
-ENCODINGS: list[JsonValue] = [CLOUD_F32, CLOUD_I16]
+ENCODINGS: list[JsonValue] = [CLOUD_F32, CLOUD_I16, CDR]
 OPENED: JsonDict = {
     "session_id": SESSION_ID,
     "category": "mug",

@@ -6,12 +6,15 @@ from typing import Annotated
 
 from fastapi import APIRouter, Query, Request, Response
 
-from service.codecs import CLOUD_F32, CLOUD_I16
+from service.codecs import CDR, CLOUD_F32, CLOUD_I16, DEPTH_F32, DEPTH_PNG, DEPTH_U16
 from service.envelopes import Envelope, pack_attachment
 from service.rejections import (
     CoordinatesOutOfRangeError,
     EmptyCloudError,
     InvalidRequestError,
+    MalformedImageError,
+    MalformedMaskError,
+    MalformedMessageError,
     NoPointsNearObjectError,
     NotFiniteError,
     PayloadTooLargeError,
@@ -20,10 +23,13 @@ from service.rejections import (
     TooManyPointsError,
     UnknownEncodingError,
     UnknownSessionError,
+    UnsupportedFieldsError,
     WrongByteCountError,
+    WrongImageSizeError,
 )
 from service.rest.bodies import read_body
 from service.rest.dependencies import OnThread, OpenSession
+from service.rest.forms import MULTIPART, WITH_MASK, frame_of
 from service.rest.outputs import Result
 from service.rest.problems import documented
 
@@ -42,16 +48,30 @@ FRAME_PROBLEMS = (
     StaleSeqError,
     RepeatedSeqError,
     NoPointsNearObjectError,
+    MalformedMessageError,
+    UnsupportedFieldsError,
+    MalformedImageError,
+    WrongImageSizeError,
+    MalformedMaskError,
 )
+ENCODINGS = (CLOUD_F32, CLOUD_I16, CDR, DEPTH_PNG, DEPTH_U16, DEPTH_F32)
 BODY = {
-    "description": "N×3 little-endian numbers: float32 metres, or int16 tenths of a millimetre.",
+    "description": "A cloud or a depth image in one of the encodings that the session reads.",
     "required": True,
-    "content": {encoding: {"schema": {"type": "string", "format": "binary"}} for encoding in (CLOUD_F32, CLOUD_I16)},
+    "content": {encoding: {"schema": {"type": "string", "format": "binary"}} for encoding in ENCODINGS}
+    | {MULTIPART: {"schema": WITH_MASK}},
 }
 
 Seq = Annotated[int, Query(ge=0, lt=2**64, description="Number of the frame; each higher than the last.")]
 Stamp = Annotated[
     int, Query(ge=-(2**63), lt=2**63, description="When the sensor saw it, nanoseconds; comes back as it is.")
+]
+BoxText = Annotated[
+    str | None,
+    Query(
+        pattern=r"^\d{1,5}(,\d{1,5}){3}$",
+        description="left,top,right,bottom: a bounding box, in sessions with `masks`.",
+    ),
 ]
 
 
@@ -61,7 +81,9 @@ Stamp = Annotated[
     responses=documented(*FRAME_PROBLEMS),
     openapi_extra={"requestBody": BODY},
 )
-async def post_frame(session: OpenSession, seq: Seq, stamp_ns: Stamp, request: Request, threads: OnThread) -> Response:
+async def post_frame(
+    session: OpenSession, seq: Seq, stamp_ns: Stamp, request: Request, threads: OnThread, box: BoxText = None
+) -> Response:
     """Track the object in one cloud; `Content-Type` names its encoding."""
     arrived_s = time.perf_counter()
     try:
@@ -69,7 +91,7 @@ async def post_frame(session: OpenSession, seq: Seq, stamp_ns: Stamp, request: R
     except PayloadTooLargeError as rejection:
         await threads.run(partial(session.refuse, rejection))
         raise
-    encoding = request.headers.get("content-type", "")
-    envelope = Envelope(encoding, payload, pack_attachment(seq, stamp_ns), arrived_s)
+    sent = await frame_of(payload, request.headers.get("content-type", ""), box)
+    envelope = Envelope(sent.encoding, sent.payload, pack_attachment(seq, stamp_ns) + sent.mask, arrived_s)
     result = await threads.run(lambda: session.process(envelope))
     return Response(result.to_json(), media_type="application/json")

@@ -1,11 +1,11 @@
 """Bodies that clients send. Metres and seconds; poses in the frame of the cloud."""
 
-from typing import Annotated, Any, Self
+from typing import Annotated, Literal, Self
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
-from service.rest.examples import MUG_PART
-from service.rest.vectors import Matrix3, Vector3, Vector4
+from service.rest.examples import DEPTH_CAMERA, MUG_PART
+from service.rest.vectors import Finite, Matrix3, Vector3, Vector4
 from service.settings import ProfileName
 
 
@@ -43,7 +43,28 @@ class Part(Input):
     size: Vector3 = Field(description="Extent of the box along the part's own axes, metres.")
 
 
+Focal = Annotated[float, Field(gt=0, allow_inf_nan=False)]
+Count = Annotated[int, Field(ge=1, le=65_535)]
 Parts = Annotated[list[Part], Field(min_length=1, max_length=64, description="In the order of the category's parts.")]
+
+
+class Camera(Input):
+    """A depth camera, for depth images: a pinhole without distortion."""
+
+    model_config = ConfigDict(json_schema_extra={"examples": [DEPTH_CAMERA]})
+
+    fx: Focal = Field(description="Focal length in columns, pixels.")
+    fy: Focal = Field(description="Focal length in rows, pixels.")
+    cx: Finite = Field(description="Column of the principal point, pixels; 0 is the middle of the first one.")
+    cy: Finite = Field(description="Row of the principal point, pixels.")
+    width: Count | None = Field(default=None, description="Columns of every image; needed for raw pixels.")
+    height: Count | None = Field(default=None, description="Rows of every image; needed for raw pixels.")
+    metres_per_unit: Focal = Field(default=0.001, description="What one unit of a 16-bit pixel is worth, metres.")
+    distortion: list[Finite] = Field(
+        default_factory=list,
+        max_length=14,
+        description="Distortion coefficients: zeros, or nothing. Others are refused: rectify the images first.",
+    )
 
 
 class NewPose(Input):
@@ -73,9 +94,8 @@ class NewSession(Input):
         default=None,
         description="Close the session after so many seconds without a frame; by default the service's own.",
     )
-    masks: Any = Field(
-        default=None, description="Not supported yet: anything but null is refused with `unsupported-option`."
+    masks: Literal["object", "parts"] | None = Field(
+        default=None,
+        description="Whether frames bring masks, and what their pixels tell; by default CoordinateNet segments.",
     )
-    camera: Any = Field(
-        default=None, description="Not supported yet: anything but null is refused with `unsupported-option`."
-    )
+    camera: Camera | None = Field(default=None, description="Needed by depth images.")

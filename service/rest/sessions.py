@@ -26,6 +26,7 @@ from service.rejections import (
     WrongNumberOfPartsError,
 )
 from service.rest.bodies import JsonRoute
+from service.rest.cameras import camera_of
 from service.rest.dependencies import OnThread, OpenSession, Service, SessionId
 from service.rest.inputs import NewPose, NewSession
 from service.rest.outputs import OpenedSession, Result, Sessions, SessionState
@@ -114,9 +115,6 @@ def order_of(body: NewSession, settings: Settings) -> Order:
     Raises:
         RequestRejectedError: an option or the pose is refused.
     """
-    for option in ("masks", "camera"):
-        if getattr(body, option) is not None:
-            raise UnsupportedOptionError(f"{option} cannot be used yet: leave it out and send clouds in metres")
     idle_timeout_s = settings.idle_timeout_s if body.idle_timeout_s is None else body.idle_timeout_s
     if idle_timeout_s > settings.max_idle_timeout_s:
         raise InvalidRequestError(
@@ -132,4 +130,6 @@ def order_of(body: NewSession, settings: Settings) -> Order:
         frame_id=body.frame_id,
         idle_timeout_s=idle_timeout_s,
         pose=pose_of(body.parts, category),
+        camera=None if body.camera is None else camera_of(body.camera),
+        masks=body.masks,
     )

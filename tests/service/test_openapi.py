@@ -77,9 +77,14 @@ def test_clouds_are_described_as_bytes(document: dict[str, Any]) -> None:
     assert set(operation["requestBody"]["content"]) == {
         "application/vnd.captra.cloud.f32",
         "application/vnd.captra.cloud.i16",
+        "application/cdr",
+        "image/png",
+        "application/vnd.captra.depth.u16",
+        "application/vnd.captra.depth.f32",
+        "multipart/form-data",
     }
     assert {entry["name"]: entry["required"] for entry in operation["parameters"]} == {
-        "session_id": True, "seq": True, "stamp_ns": True,
+        "session_id": True, "seq": True, "stamp_ns": True, "box": False,
     }  # fmt: skip
 
 

@@ -8,8 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from captra.depth_images import Intrinsics
 from captra.geometry import Pose
 from service import sqlite_store
+from service.camera import Camera
 from service.sqlite_store import SqliteSessionStore
 from service.store import InMemorySessionStore, SessionRecord, SessionStore, StoreError, TrustedPose
 
@@ -19,7 +21,11 @@ def pose(x: float) -> Pose:
 
 
 def record(session_id: str, created_ns: int = 0) -> SessionRecord:
-    return SessionRecord(session_id, "mug", "realtime", "camera", 60.0, created_ns, TrustedPose(pose(0), None))
+    camera = Camera(Intrinsics(590.0, 591.0, 319.5, 239.5), 0.001, 640, 480)
+    trusted = TrustedPose(pose(0), None)
+    return SessionRecord(
+        session_id, "mug", "realtime", "camera", 60.0, created_ns, trusted, camera=camera, masks="object"
+    )
 
 
 def same(one: SessionRecord, other: SessionRecord) -> bool:

@@ -1,21 +1,18 @@
-"""Clouds off the wire: one strategy an encoding, each malformed input with its own reason."""
+"""Packed clouds: N×3 numbers of one type."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from types import MappingProxyType
-from typing import Protocol
 
 import numpy as np
 from jaxtyping import Float32
 
-from service.envelopes import Envelope, FrameHeader, unpack_attachment
+from captra.observations import PointCloud
+from service.codecs.frames import Frame
+from service.envelopes import Envelope, unpack_attachment
 from service.rejections import (
     CoordinatesOutOfRangeError,
     EmptyCloudError,
     NotFiniteError,
-    PayloadTooLargeError,
     TooManyPointsError,
-    UnknownEncodingError,
     WrongByteCountError,
 )
 
@@ -26,20 +23,6 @@ CLOUD_I16 = "application/vnd.captra.cloud.i16"
 
 LARGEST_COORDINATE_M = 1e6
 """Beyond it squares of distances lose their meaning in single precision."""
-
-
-class CloudCodec(Protocol):
-    """Reads clouds of one encoding."""
-
-    @property
-    def encoding(self) -> str:
-        """Media type, lower case, without parameters."""
-
-    def header(self, envelope: Envelope) -> FrameHeader:
-        """Sequence number and stamp; raises a FrameRejectedError where they are missing or malformed."""
-
-    def points(self, envelope: Envelope) -> Float32[np.ndarray, "points 3"]:
-        """Points in metres; raises a FrameRejectedError where the payload is malformed."""
 
 
 @dataclass(frozen=True)
@@ -55,9 +38,9 @@ class PackedCloudCodec:
     max_points: int
     """Larger clouds are refused."""
 
-    def header(self, envelope: Envelope) -> FrameHeader:
-        """Sequence number and stamp from the attachment."""
-        return unpack_attachment(envelope.attachment)
+    def open(self, envelope: Envelope) -> Frame:
+        """Number and stamp from the attachment."""
+        return Frame(unpack_attachment(envelope.attachment), lambda: PointCloud.of(self.points(envelope)))
 
     def points(self, envelope: Envelope) -> Float32[np.ndarray, "points 3"]:
         """Points in metres: a read-only view of the payload for metres in float32, otherwise one new array."""
@@ -82,6 +65,12 @@ class PackedCloudCodec:
         return points
 
 
+def packed_codecs(max_points: int) -> tuple[PackedCloudCodec, ...]:
+    """Metres and tenths of a millimetre."""
+    metres = PackedCloudCodec(CLOUD_F32, np.dtype("<f4"), 1.0, max_points)
+    return metres, PackedCloudCodec(CLOUD_I16, np.dtype("<i2"), 1e-4, max_points)
+
+
 def check_coordinates(points: Float32[np.ndarray, "points 3"]) -> None:
     """Refuse what no camera can have seen.
 
@@ -97,48 +86,3 @@ def check_coordinates(points: Float32[np.ndarray, "points 3"]) -> None:
         raise CoordinatesOutOfRangeError(
             f"coordinates reach from {lowest:g} to {highest:g} m: clouds are in metres, in the camera frame"
         )
-
-
-class Codecs:
-    """The encodings that one session reads."""
-
-    def __init__(self, codecs: tuple[CloudCodec, ...], max_payload_bytes: int) -> None:
-        self._codecs: Mapping[str, CloudCodec] = MappingProxyType({codec.encoding: codec for codec in codecs})
-        self._max_payload_bytes = max_payload_bytes
-
-    @property
-    def encodings(self) -> tuple[str, ...]:
-        """Media types, the preferred one first."""
-        return tuple(self._codecs)
-
-    def check_size(self, payload_bytes: int) -> None:
-        """Refuse a payload before it is copied.
-
-        Raises:
-            PayloadTooLargeError: it is over the limit.
-        """
-        if payload_bytes > self._max_payload_bytes:
-            raise PayloadTooLargeError(
-                f"the cloud has {payload_bytes} bytes or more, the limit is {self._max_payload_bytes}: "
-                "crop or thin it out before sending"
-            )
-
-    def find(self, encoding: str) -> CloudCodec:
-        """The strategy for an encoding; its parameters are ignored.
-
-        Raises:
-            UnknownEncodingError: with the encodings that are read.
-        """
-        media_type = encoding.partition(";")[0].strip().lower()
-        try:
-            return self._codecs[media_type]
-        except KeyError:
-            known = ", ".join(self._codecs)
-            raise UnknownEncodingError(f"this session does not read {encoding[:100]!r}: use one of {known}") from None
-
-
-def build_codecs(max_points: int, max_payload_bytes: int) -> Codecs:
-    """Both packed forms, as every session reads them."""
-    metres = PackedCloudCodec(CLOUD_F32, np.dtype("<f4"), 1.0, max_points)
-    tenths_mm = PackedCloudCodec(CLOUD_I16, np.dtype("<i2"), 1e-4, max_points)
-    return Codecs((metres, tenths_mm), max_payload_bytes)

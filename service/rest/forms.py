@@ -1,0 +1,75 @@
+"""A frame and its mask in one HTTP body."""
+
+from collections.abc import AsyncIterator
+from dataclasses import dataclass
+
+from pydantic.config import JsonDict
+from starlette.datastructures import Headers, UploadFile
+from starlette.formparsers import MultiPartException, MultiPartParser
+
+from service.codecs.masks import BOX
+from service.rejections import InvalidRequestError
+
+MULTIPART = "multipart/form-data"
+WITH_MASK: JsonDict = {
+    "type": "object",
+    "required": ["cloud"],
+    "properties": {name: {"type": "string", "format": "binary"} for name in ("cloud", "mask")},
+}
+"""Schema of a form: the frame with its encoding as content type, and an 8-bit grey PNG."""
+
+LARGEST_COLUMN = 2**16 - 1
+
+
+@dataclass(frozen=True)
+class SentFrame:
+    """What a request holds."""
+
+    encoding: str
+    """Of the cloud or image."""
+    payload: bytes
+    """The cloud or image."""
+    mask: bytes
+    """A mask image, a packed box, or nothing."""
+
+
+async def frame_of(body: bytes, content_type: str, box: str | None) -> SentFrame:
+    """The frame in a body, and its mask or box.
+
+    Raises:
+        InvalidRequestError: the form cannot be read or lacks the cloud, or the box lies beyond any image.
+    """
+    mask = b"" if box is None else packed_box(box)
+    if content_type.partition(";")[0].strip().lower() != MULTIPART:
+        return SentFrame(content_type, body, mask)
+
+    async def chunks() -> AsyncIterator[bytes]:
+        yield body
+        yield b""
+
+    try:
+        form = await MultiPartParser(Headers({"content-type": content_type}), chunks()).parse()  # type: ignore[arg-type]
+    except (MultiPartException, KeyError, ValueError) as error:
+        raise InvalidRequestError(f"/body: the form cannot be read: {error}") from error
+    try:
+        files = {name: file for name, file in form.multi_items() if isinstance(file, UploadFile)}
+        if "cloud" not in files:
+            raise InvalidRequestError("/body/cloud: the form lacks the file 'cloud', with its encoding as content type")
+        payload = await files["cloud"].read()
+        return SentFrame(
+            files["cloud"].content_type or "", payload, await files["mask"].read() if "mask" in files else mask
+        )
+    finally:
+        await form.close()
+
+
+def packed_box(text: str) -> bytes:
+    """A box as it travels in attachments.
+
+    Raises:
+        InvalidRequestError: an edge is beyond any image.
+    """
+    edges = [int(edge) for edge in text.split(",")]
+    if max(edges) > LARGEST_COLUMN:
+        raise InvalidRequestError(f"/query/box: no edge is beyond {LARGEST_COLUMN}")
+    return BOX.pack(*edges)
