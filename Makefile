@@ -4,8 +4,10 @@
 VENV := .venv
 BIN := $(VENV)/bin
 
-# cpu, openvino or gpu: the build of onnxruntime that is installed. They overwrite each other, so it is one of them.
-RUNTIME ?= $(or $(patsubst $(VENV)/installed-%,%,$(firstword $(wildcard $(VENV)/installed-*))),cpu)
+# cpu, openvino or gpu: the build of onnxruntime that is installed. They overwrite each other, so it is one of them: what
+# is there already, else openvino where the CPU multiplies in bfloat16. All three have the plain CPU provider as well.
+FASTEST = $(if $(shell grep -E -m1 -o '\b(avx512_bf16|amx_bf16)\b' /proc/cpuinfo 2>/dev/null),openvino,cpu)
+RUNTIME ?= $(or $(patsubst $(VENV)/installed-%,%,$(firstword $(wildcard $(VENV)/installed-*))),$(FASTEST))
 PYTHON ?= $(shell command -v python3.11 || command -v python3)
 TORCH ?= torch==2.13.0
 

@@ -35,8 +35,8 @@ class Prediction:
     """Normalized coordinates of every point under every part's frame."""
     labels: Int[np.ndarray, " points"]
     """Most probable class."""
-    delta_rotations: Float64[np.ndarray, "parts points 3 3"]
-    """Residual rotation of every part, as each point sees it."""
+    delta_rotations: Float64[np.ndarray, "parts rotated_points 3 3"]
+    """Residual rotation of every part, as each of the first points sees it; these cover the whole cloud."""
 
 
 @dataclass(frozen=True)
@@ -80,7 +80,8 @@ def solve(
     fits = []
     for part in range(category.num_parts):
         mask = prediction.labels == part
-        delta = residual_rotation(prediction.delta_rotations[part, mask], category)
+        seen = prediction.delta_rotations[part]
+        delta = residual_rotation(seen[mask[: len(seen)]], category)
         fit = fit_part(points[mask], prediction.coordinates[part, mask], delta, last.part(part), category, fusion)
         fits.append(fit)
     pose = Pose(

@@ -48,8 +48,8 @@ class Networks(Protocol):
 
     def rotations(
         self, points_canonical: Float32[np.ndarray, "parts points 3"], neighborhoods: Sequence[Neighborhoods]
-    ) -> Float32[np.ndarray, "parts points width"]:
-        """Raw residual rotations: width 6, or 3 for symmetric objects; part j from cloud j."""
+    ) -> Float32[np.ndarray, "parts rotated_points width"]:
+        """Raw residual rotations of the first points: width 6, or 3 for symmetric objects; part j from cloud j."""
 
 
 @dataclass(frozen=True)

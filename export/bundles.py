@@ -16,7 +16,7 @@ from captra.sampling import PROFILES
 from export.graph import OPSET
 from export.onnx_export import coordinate_model, rotation_model
 from export.parity import Difference, require_parity
-from export.provenance import input_sampling_of, rotation_fusion_of, training_of
+from export.provenance import input_sampling_of, rotation_fusion_of, rotation_share_of, training_of
 
 
 def unchanged(manifest: Manifest) -> Manifest:
@@ -71,11 +71,14 @@ def export_bundle(
                 training=training_of(coordinate, rotation),
                 input_sampling=input_sampling_of(coordinate),
                 rotation_fusion=rotation_fusion_of(coordinate),
+                rotation_share=rotation_share_of(rotation),
             )
         )
         write_manifest(folder, manifest)
         for profile in PROFILES.values():
-            torch_networks = TorchNetworks(category, profile, coordinate_net, rotation_net)
+            torch_networks = TorchNetworks(
+                category, profile, coordinate_net, rotation_net, rotation_share=manifest.rotation_share
+            )
             exported = OnnxNetworks.load(folder, profile, provider="cpu")
             report(profile.name, require_parity(torch_networks, exported, precision))
         out.mkdir(exist_ok=True)

@@ -48,11 +48,14 @@ def coordinate_model(network: CoordinateNet, precision: str) -> onnx.ModelProto:
         tensor("segmentation", TensorProto.FLOAT, 1, network.segmentation.out_features, "N"),
         tensor("coordinates", TensorProto.FLOAT, 1, network.num_parts, "N", XYZ),
     ]
-    return g.model("coordinate", _inputs(1), outputs)
+    return g.model("coordinate", _inputs(1, "N"), outputs)
 
 
 def rotation_model(network: RotationNet, precision: str) -> onnx.ModelProto:
-    """RotationNet for the clouds of all parts: output `rotation` (P, N, 6), or 3 for symmetric objects.
+    """RotationNet for the clouds of all parts: output `rotation` (P, H, 6), or 3 for symmetric objects.
+
+    H is the number of rows that the input `nearest1` has: only the first H points of each cloud, which are farthest
+    points of their own, get features and answers.
 
     Raises:
         PrecisionError: the precision is unknown or too narrow.
@@ -69,15 +72,15 @@ def rotation_model(network: RotationNet, precision: str) -> onnx.ModelProto:
             hidden = cloud_norm(g, product, norm, f"heads.{j}.{i}.norm")
         raw.append(g("Unsqueeze", linear(g, hidden, head.output, f"heads.{j}.output"), g.integers(0)))
     g("Concat", *raw, axis=0, name="rotation")
-    output = tensor("rotation", TensorProto.FLOAT, network.num_parts, "N", heads[0].output.out_features)
-    return g.model("rotation", _inputs(network.num_parts), [output])
+    output = tensor("rotation", TensorProto.FLOAT, network.num_parts, "H", heads[0].output.out_features)
+    return g.model("rotation", _inputs(network.num_parts, "H"), [output])
 
 
-def _inputs(parts: int) -> list[onnx.ValueInfoProto]:
+def _inputs(parts: int, answered: str) -> list[onnx.ValueInfoProto]:
     axes: dict[str, tuple[str, str | int]] = {
         **{name: ("M1", f"k1_{i}") for i, name in enumerate(GROUPS1)},
         **{name: ("M2", f"k2_{i}") for i, name in enumerate(GROUPS2)},
-        "nearest1": ("N", 3),
+        "nearest1": (answered, 3),
         "nearest2": ("M1", 3),
     }
     indices = [tensor(name, TensorProto.INT32, parts, rows, width) for name, (rows, width) in axes.items()]
@@ -104,11 +107,12 @@ class _BackboneWriter:
         self._parts = parts
 
     def write(self, backbone: Backbone) -> str:
-        """From the graph's inputs to features (parts · N, 128)."""
+        """From the graph's inputs to features (parts · rows of nearest1, 128)."""
         g = self._g
         level0 = self._level(self._axis("points", 1))
         level1 = self._level(self._axis(GROUPS1[0], 1))
         level2 = self._level(self._axis(GROUPS2[0], 1))
+        answered = self._level(self._axis("nearest1", 1))
         features1 = self._abstraction(backbone.level1, "level1", level0, level1, None, GROUPS1)
         features2 = self._abstraction(backbone.level2, "level2", level1, level2, features1, GROUPS2)
         overall = self._overall(backbone.level3, level2, features2)
@@ -122,11 +126,11 @@ class _BackboneWriter:
 
         def from_level1(matrix: Matrix) -> str:
             product = g("MatMul", up2, g.matrix("up1.coarse", matrix))
-            return self._interpolate(product, "nearest1", level0, level1)
+            return self._interpolate(product, "nearest1", answered, level1)
 
         up3 = self._propagation(backbone.up3, "up3", features2, repeated)
         up2 = self._propagation(backbone.up2, "up2", features1, from_level2)
-        up1 = self._propagation(backbone.up1, "up1", level0.rows, from_level1)
+        up1 = self._propagation(backbone.up1, "up1", answered.rows, from_level1)
         return normalized(g, up1, backbone.last, "last")
 
     def _axis(self, value: str, axis: int) -> str:

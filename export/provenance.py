@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from captra.learn.checkpoint import is_authors, training_info
+from captra.learn.plan import Plan
 from captra.runtime.bundle import MeshCredit, Training
 from captra.sampling import InputSampling
 
@@ -48,6 +49,15 @@ def rotation_fusion_of(coordinate: Path) -> str:
         CheckpointError: it is no checkpoint.
     """
     return str(training_info(coordinate).get("rotation_fusion", "rotation-net"))
+
+
+def rotation_share_of(rotation: Path) -> float:
+    """Share of the points that the heads saw in training: all in the authors', in ours what the plan says.
+
+    Raises:
+        CheckpointError: it is no checkpoint.
+    """
+    return 1.0 if is_authors(rotation) else float(training_info(rotation).get("rotation_share", Plan().rotation_share))
 
 
 def _steps(info: dict[str, Any]) -> int:

@@ -31,6 +31,8 @@ class TorchNetworks:
     """How the points were drawn in training."""
     rotation_fusion: RotationFusion = ROTATION_NET_ALONE
     """Whose word counts for rotations."""
+    rotation_share: float = 1.0
+    """Share of the points, the first ones, that RotationNet's heads are run on."""
 
     def coordinates(
         self, points_canonical: Float32[np.ndarray, "points 3"], neighborhoods: Neighborhoods
@@ -43,9 +45,10 @@ class TorchNetworks:
 
     def rotations(
         self, points_canonical: Float32[np.ndarray, "parts points 3"], neighborhoods: Sequence[Neighborhoods]
-    ) -> Float32[np.ndarray, "parts points width"]:
-        """Raw residual rotations; part j from cloud j."""
+    ) -> Float32[np.ndarray, "parts rotated_points width"]:
+        """Raw residual rotations of the first points; part j from cloud j."""
         points = torch.from_numpy(points_canonical)[None]
+        rotated = max(1, round(self.rotation_share * points.shape[2]))
         with torch.inference_mode():
-            raw = self.rotation_net(points, TorchNeighborhoods.stack(neighborhoods))
+            raw = self.rotation_net(points, TorchNeighborhoods.stack(neighborhoods), rotated)
             return raw[0].numpy()  # type: ignore[no-any-return]

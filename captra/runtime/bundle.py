@@ -83,6 +83,8 @@ class Manifest:
     """What they score, as exported."""
     profiles: Mapping[str, Profile] = field(default_factory=lambda: dict(PROFILES))
     """Shapes that they were made for; the graphs accept others."""
+    rotation_share: float = 1.0
+    """Share of the points, the first ones, that RotationNet answers for; older manifests do not say it and mean all."""
     rotation_input: str = "crop"
     """Points that RotationNet reads: `crop`, the same as CoordinateNet."""
     input_sampling: InputSampling = field(default_factory=InputSampling)
@@ -115,6 +117,7 @@ class Manifest:
             content["profiles"] = {name: _profile(shape) for name, shape in content["profiles"].items()}
             content["input_sampling"] = InputSampling(**content["input_sampling"])
             content["parts"] = tuple(content["parts"])
+            content.setdefault("rotation_share", 1.0)
             if content["rotation_fusion"] not in ROTATION_FUSIONS:
                 raise BundleError(f"its rotation fusion {content['rotation_fusion']!r} is unknown: {_ADVICE}")
             if missing := [entry.name for entry in fields(cls) if entry.name not in content]:

@@ -32,6 +32,8 @@ class OnnxNetworks:
     """What runs them."""
     threads: int
     """Threads of one run."""
+    rotated_points: int
+    """Points, the first ones of a cloud, that RotationNet answers for."""
     _coordinate: Any
     _rotation: Any
 
@@ -64,8 +66,10 @@ class OnnxNetworks:
             )
         threads = threads or available_cores()
         chosen = choose_provider(provider, threads, onnxruntime.get_available_providers())
-        sessions = [_session(bundle_folder / name, profile, chosen, threads) for name in (COORDINATE, ROTATION)]
-        return cls(manifest, category, profile, chosen, threads, *sessions)
+        rotated = max(1, round(manifest.rotation_share * profile.points))
+        lengths = axis_lengths(profile) | {"H": rotated}
+        sessions = [_session(bundle_folder / name, lengths, chosen, threads) for name in (COORDINATE, ROTATION)]
+        return cls(manifest, category, profile, chosen, threads, rotated, *sessions)
 
     @property
     def input_sampling(self) -> InputSampling:
@@ -88,9 +92,11 @@ class OnnxNetworks:
 
     def rotations(
         self, points_canonical: Float32[np.ndarray, "parts points 3"], neighborhoods: Sequence[Neighborhoods]
-    ) -> Float32[np.ndarray, "parts points width"]:
-        """Raw residual rotations; part j from cloud j."""
-        (rotation,) = self._rotation.run(["rotation"], feed(points_canonical, neighborhoods))
+    ) -> Float32[np.ndarray, "parts rotated_points width"]:
+        """Raw residual rotations of the first points; part j from cloud j."""
+        inputs = feed(points_canonical, neighborhoods)
+        inputs["nearest1"] = inputs["nearest1"][:, : self.rotated_points]
+        (rotation,) = self._rotation.run(["rotation"], inputs)
         return rotation  # type: ignore[no-any-return]
 
 
@@ -108,7 +114,7 @@ def feed(points_canonical: Float32[np.ndarray, "clouds points 3"], neighborhoods
     return inputs
 
 
-def axis_lengths(profile: Profile) -> Mapping[str, int]:
+def axis_lengths(profile: Profile) -> dict[str, int]:
     """Length of each dynamic axis of the graphs under a profile."""
     first, second = profile.groups
     return {
@@ -120,7 +126,7 @@ def axis_lengths(profile: Profile) -> Mapping[str, int]:
     }
 
 
-def _session(path: Path, profile: Profile, provider: Provider, threads: int) -> Any:
+def _session(path: Path, lengths: Mapping[str, int], provider: Provider, threads: int) -> Any:
     import onnxruntime
 
     options = onnxruntime.SessionOptions()
@@ -128,7 +134,7 @@ def _session(path: Path, profile: Profile, provider: Provider, threads: int) -> 
     options.inter_op_num_threads = 1
     # Threads that spin while they wait take the cores from whatever else runs: a busy machine gets half as fast again.
     options.add_session_config_entry("session.intra_op.allow_spinning", "0")
-    for axis, length in axis_lengths(profile).items():
+    for axis, length in lengths.items():
         options.add_free_dimension_override_by_name(axis, length)
     names, settings = zip(*provider.execution_providers, strict=True)
     return onnxruntime.InferenceSession(str(path), options, providers=list(names), provider_options=list(settings))
