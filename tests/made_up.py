@@ -57,7 +57,7 @@ def write_checkpoints(category: str, folder: Path, training: dict[str, object] |
     return paths
 
 
-def write_bundle(category: str, folder: Path, precision: str = "float16") -> Path:
+def write_bundle(category: str, folder: Path, precision: str = "float16", rotation_share: float = 1.0) -> Path:
     """Untrained networks of a category as a bundle."""
     chosen = get_category(category)
     coordinate_net, rotation_net = networks_of(category)
@@ -72,6 +72,7 @@ def write_bundle(category: str, folder: Path, precision: str = "float16") -> Pat
         opset=OPSET,
         sha256={name: sha256_of(folder / name) for name in (COORDINATE, ROTATION)},
         training=Training(data="none", steps=0),
+        rotation_share=rotation_share,
     )
     write_manifest(folder, manifest)
     return folder

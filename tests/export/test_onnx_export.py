@@ -36,6 +36,20 @@ def test_onnx_runtime_computes_what_pytorch_does(category: str, profile: Profile
     assert difference.mean_rotation_deg < 1e-2
 
 
+@pytest.mark.parametrize("profile", [REALTIME, TINY], ids=lambda profile: profile.name)
+@pytest.mark.parametrize("category", ["bottle", "glasses"])
+def test_rotations_of_the_first_points_alone(category: str, profile: Profile, tmp_path: Path) -> None:
+    bundle = write_bundle(category, tmp_path / category, "float32", rotation_share=0.25)
+    exported = OnnxNetworks.load(bundle, profile, "cpu", threads=1)
+    torch_networks = TorchNetworks(get_category(category), profile, *networks_of(category), rotation_share=0.25)
+    clouds = made_up_clouds(exported.category.num_parts, profile)
+    neighborhoods = [build_neighborhoods(cloud, profile) for cloud in clouds]
+    assert exported.rotations(clouds, neighborhoods).shape[:2] == (len(clouds), profile.points // 4)
+    difference = compare(torch_networks, exported)
+    assert difference.point_rotation < 1e-3
+    assert difference.mean_rotation_deg < 1e-2
+
+
 def test_one_graph_takes_any_profile() -> None:
     model = rotation_model(networks_of("scissors")[1], "float32")
     session = onnxruntime.InferenceSession(model.SerializeToString(), providers=["CPUExecutionProvider"])

@@ -110,6 +110,12 @@ def test_a_manifest_that_lacks_something(field: str, tmp_path: Path) -> None:
         load_manifest(path)
 
 
+def test_a_manifest_from_before_the_share_means_all_points() -> None:
+    content = json.loads(MANIFEST.to_json())
+    del content["rotation_share"]
+    assert Manifest.from_json(json.dumps(content)).rotation_share == 1
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [
