@@ -1,7 +1,7 @@
 """From a cloud to the points and index lists that the networks read; every kernel is compiled and releases the GIL."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 import numpy as np
@@ -120,17 +120,25 @@ def _ball_queries(
     squared_radii = radii * radii
     widest = squared_radii[-1]
     found = np.zeros(len(radii), np.int64)
+    x, y, z = points[:, 0].copy(), points[:, 1].copy(), points[:, 2].copy()
+    squared = np.empty(len(points), np.float32)
+    near = np.empty(len(points) + 1, np.int32)
     for c in range(centroids):
-        cx, cy, cz = points[c, 0], points[c, 1], points[c, 2]
+        # Distances first, then the few within reach, so that the processor vectorizes the one and guesses no branch in
+        # the other.
+        for i in range(len(points)):
+            dx, dy, dz = x[i] - x[c], y[i] - y[c], z[i] - z[c]
+            squared[i] = dx * dx + dy * dy + dz * dz
+        count = 0
+        for i in range(len(points)):
+            near[count] = i
+            count += squared[i] < widest
         found[:] = 0
         wanting = len(radii)
-        for i in range(len(points)):
-            dx, dy, dz = points[i, 0] - cx, points[i, 1] - cy, points[i, 2] - cz
-            squared = dx * dx + dy * dy + dz * dz
-            if squared >= widest:
-                continue
+        for n in range(count):
+            i = near[n]
             for r in range(len(radii)):
-                if squared < squared_radii[r] and found[r] < sizes[r]:
+                if squared[i] < squared_radii[r] and found[r] < sizes[r]:
                     groups[c, starts[r] + found[r]] = i
                     found[r] += 1
                     if found[r] == sizes[r]:
@@ -182,12 +190,33 @@ def three_nearest(points: Float32[np.ndarray, "points 3"], references: int) -> I
 def build_neighborhoods(points_canonical: Float32[np.ndarray, "N 3"], profile: Profile) -> Neighborhoods:
     """All index inputs of one network for one canonical cloud in farthest-point order."""
     first, second = profile.centroids
-    centroids = points_canonical[:first]
+    groups1, groups2 = _groups(points_canonical, profile)
     return Neighborhoods(
-        groups1=ball_queries(points_canonical, first, RADII[0], profile.groups[0]),
-        groups2=ball_queries(centroids, second, RADII[1], profile.groups[1]),
+        groups1=groups1,
+        groups2=groups2,
         nearest1=three_nearest(points_canonical, first),
-        nearest2=three_nearest(centroids, second),
+        nearest2=three_nearest(points_canonical[:first], second),
+    )
+
+
+def part_neighborhoods(points_canonical: Float32[np.ndarray, "parts N 3"], profile: Profile) -> list[Neighborhoods]:
+    """Index inputs for the canonical clouds of all parts of one object.
+
+    The clouds are similar to each other: which points are nearest is the same in all, what is within a radius is not.
+    """
+    own, *others = points_canonical
+    shared = build_neighborhoods(own, profile)
+    groups = [_groups(cloud, profile) for cloud in others]
+    return [shared, *(replace(shared, groups1=first, groups2=second) for first, second in groups)]
+
+
+def _groups(
+    points_canonical: Float32[np.ndarray, "N 3"], profile: Profile
+) -> tuple[tuple[Int32[np.ndarray, "M1 k"], ...], tuple[Int32[np.ndarray, "M2 k"], ...]]:
+    first, second = profile.centroids
+    return (
+        ball_queries(points_canonical, first, RADII[0], profile.groups[0]),
+        ball_queries(points_canonical[:first], second, RADII[1], profile.groups[1]),
     )
 
 

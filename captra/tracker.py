@@ -16,8 +16,9 @@ from captra.health import Evidence, HealthMonitor, State
 from captra.joints import JointValue, joint_values
 from captra.observations import Crop, Observation, PointCloud
 from captra.rotation_fusion import RotationFusion
-from captra.sampling import InputSampling, Neighborhoods, Profile, build_neighborhoods
+from captra.sampling import InputSampling, Neighborhoods, Profile, part_neighborhoods
 from captra.segmentation import NOTHING_KNOWN, Segmentation, overrule, without_background
+from captra.side_by_side import side_by_side
 from captra.size_memory import GIVEN_WEIGHT_FRAMES, SizeMemory
 from captra.solving import Prediction, hold_gauge, per_point_rotations, reject_leaps, solve
 
@@ -138,7 +139,7 @@ class Tracker:
         )
         points, labels = crop.points, segmentation.labels(crop.indices)
         points_canonical = canonicalize(points, last)
-        neighborhoods = [build_neighborhoods(part, networks.profile) for part in points_canonical]
+        neighborhoods = part_neighborhoods(points_canonical, networks.profile)
         sampled = perf_counter()
         prediction = predict(networks, points_canonical, neighborhoods, labels)
         inferred = perf_counter()
@@ -185,10 +186,12 @@ def predict(
 ) -> Prediction:
     """Run both networks on the canonical clouds; `labels` (see `captra.segmentation`) overrule CoordinateNet's."""
     root = networks.category.root
-    segmentation, coordinates = networks.coordinates(points_canonical[root], neighborhoods[root])
+    (segmentation, coordinates), raw_rotations = side_by_side(
+        lambda: networks.coordinates(points_canonical[root], neighborhoods[root]),
+        lambda: networks.rotations(points_canonical, neighborhoods),
+    )
     if labels is not None:
         segmentation = overrule(segmentation, labels, networks.category)
-    raw_rotations = networks.rotations(points_canonical, neighborhoods)
     return Prediction(
         segmentation=segmentation,
         coordinates=coordinates,

@@ -31,7 +31,7 @@ class OnnxNetworks:
     provider: Provider
     """What runs them."""
     threads: int
-    """Threads of one run."""
+    """Of both networks together."""
     rotated_points: int
     """Points, the first ones of a cloud, that RotationNet answers for."""
     _coordinate: Any
@@ -47,7 +47,7 @@ class OnnxNetworks:
             bundle_folder: as written by `captra export`.
             profile: shapes of the inputs; other shapes are refused later.
             provider: auto, cpu, openvino or cuda.
-            threads: of one run; by default as many as the container may use.
+            threads: of both networks together; by default as many as the container may use.
 
         Raises:
             BundleError: the bundle is damaged, incomplete or of another version.
@@ -65,10 +65,14 @@ class OnnxNetworks:
                 f"{', '.join(category.parts)}: export it again with this version of captra"
             )
         threads = threads or available_cores()
-        chosen = choose_provider(provider, threads, onnxruntime.get_available_providers())
+        available = onnxruntime.get_available_providers()
         rotated = max(1, round(manifest.rotation_share * profile.points))
         lengths = axis_lengths(profile) | {"H": rotated}
-        sessions = [_session(bundle_folder / name, lengths, chosen, threads) for name in (COORDINATE, ROTATION)]
+        sessions = []
+        for name, parts in ((COORDINATE, 1), (ROTATION, category.num_parts)):
+            runs = runs_at_a_time(threads, parts)
+            chosen = choose_provider(provider, threads, available, runs=runs)
+            sessions.append(_session(bundle_folder / name, lengths, chosen, -(-threads // runs)))
         return cls(manifest, category, profile, chosen, threads, rotated, *sessions)
 
     @property
@@ -98,6 +102,15 @@ class OnnxNetworks:
         inputs["nearest1"] = inputs["nearest1"][:, : self.rotated_points]
         (rotation,) = self._rotation.run(["rotation"], inputs)
         return rotation  # type: ignore[no-any-return]
+
+
+def runs_at_a_time(threads: int, parts: int) -> int:
+    """How many runs of a graph share the threads.
+
+    Both networks run side by side, with half the threads each: one thread to a graph wastes nothing on waiting for the
+    other after every layer. A graph for several parts has much more to do than the one beside it and takes them all.
+    """
+    return min(2, threads) if parts == 1 else 1
 
 
 def feed(points_canonical: Float32[np.ndarray, "clouds points 3"], neighborhoods: Sequence[Neighborhoods]) -> Feed:

@@ -34,15 +34,19 @@ class Provider:
     """In ONNX Runtime's order of preference, with options."""
 
 
-def choose_provider(name: str, threads: int, installed: Sequence[str], cpuinfo: Path = CPUINFO) -> Provider:
+def choose_provider(
+    name: str, threads: int, installed: Sequence[str], cpuinfo: Path = CPUINFO, runs: int = 1
+) -> Provider:
     """The provider called `name`; `auto` is OpenVINO where it is installed and the CPU multiplies in bfloat16.
+
+    `threads` are shared by so many `runs` of a graph at a time.
 
     Raises:
         ProviderError: the name is unknown, or the installed build of ONNX Runtime lacks it.
     """
     if name == "auto":
         name = "openvino" if OPENVINO in installed and has_bfloat16(cpuinfo) else "cpu"
-    provider = _configured(name, threads, bfloat16=has_bfloat16(cpuinfo))
+    provider = _configured(name, threads, runs, bfloat16=has_bfloat16(cpuinfo))
     needed = provider.execution_providers[0][0]
     if needed not in installed:
         raise ProviderError(
@@ -62,7 +66,7 @@ def has_bfloat16(cpuinfo: Path = CPUINFO) -> bool:
     return not BFLOAT16_FLAGS.isdisjoint(flags.split())
 
 
-def _configured(name: str, threads: int, *, bfloat16: bool) -> Provider:
+def _configured(name: str, threads: int, runs: int, *, bfloat16: bool) -> Provider:
     match name:
         case "cpu":
             return Provider("cpu", "float32", ((CPU, {}),))
@@ -73,6 +77,9 @@ def _configured(name: str, threads: int, *, bfloat16: bool) -> Provider:
                 "INFERENCE_PRECISION_HINT": "bf16" if bfloat16 else "f32",
                 "INFERENCE_NUM_THREADS": str(threads),
                 "PERFORMANCE_HINT": "LATENCY",
+                "NUM_STREAMS": str(runs),
+                # Pinned threads of several graphs would share one core while others are free.
+                "ENABLE_CPU_PINNING": "NO",
             }
             options = {"device_type": "CPU", "load_config": json.dumps({"CPU": config})}
             return Provider("openvino", "bfloat16" if bfloat16 else "float32", ((OPENVINO, options), (CPU, {})))

@@ -79,6 +79,22 @@ def test_neighborhoods_have_the_shapes_of_the_profile(profile: sampling.Profile)
     assert all(g.dtype == np.int32 and g.max() < profile.points for g in found.groups1)
 
 
+@settings(deadline=None, max_examples=20)
+@given(st.integers(0, 2**32 - 1))
+def test_parts_share_who_is_nearest_but_not_who_is_within_reach(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    profile = sampling.Profile("few", 128, (32, 8), ((4, 8, 16), (4, 8)))
+    one = cloud(seed, profile.points)
+    parts = np.stack([one, (1.7 * one @ axis_angle(rng.standard_normal(3), 1.0).T + 0.1).astype(np.float32)])
+    for found, part in zip(sampling.part_neighborhoods(parts, profile), parts, strict=True):
+        alone = sampling.build_neighborhoods(part, profile)
+        for level in ("groups1", "groups2"):
+            for group, expected in zip(getattr(found, level), getattr(alone, level), strict=True):
+                np.testing.assert_array_equal(group, expected)
+        for name in ("nearest1", "nearest2"):
+            assert np.mean(getattr(found, name) == getattr(alone, name)) > 0.99  # the rest are ties but for rounding
+
+
 def test_crop_keeps_what_is_within_six_tenths_of_the_scale() -> None:
     points = cloud(5, 5000)
     pose = pose_at((0.1, 0, 0), 0.3)

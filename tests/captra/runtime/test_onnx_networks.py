@@ -9,10 +9,10 @@ import onnxruntime
 import pytest
 
 from captra.categories import UnknownCategoryError, get_category
-from captra.geometry import Pose
+from captra.geometry import Pose, rotation_angle
 from captra.learn.networks import TorchNetworks
 from captra.runtime.bundle import BundleError, Manifest, load_manifest, write_manifest
-from captra.runtime.onnx_networks import OnnxNetworks
+from captra.runtime.onnx_networks import OnnxNetworks, runs_at_a_time
 from captra.runtime.providers import OPENVINO
 from captra.sampling import PAPER, REALTIME, build_neighborhoods
 from captra.tracker import Tracker
@@ -91,6 +91,27 @@ def test_a_bundle_of_something_else(
     write_manifest(copy, change(load_manifest(copy)))
     with pytest.raises(error, match=message):
         OnnxNetworks.load(copy, REALTIME, "cpu")
+
+
+@pytest.mark.parametrize("provider", ["cpu", "openvino"])
+def test_both_providers_track_alike(provider: str, mug_bundle: Path) -> None:
+    """However fast: a whole step lands where the reference does, one thread and CPU provider."""
+    if provider == "openvino" and OPENVINO not in onnxruntime.get_available_providers():
+        pytest.skip("this build of onnxruntime has no OpenVINO")
+    pose = Pose.from_size(np.eye(3)[None], np.zeros((1, 3)), np.full((1, 3), 0.1))
+    cloud = np.random.default_rng(0).uniform(-0.06, 0.06, (2000, 3)).astype(np.float32)
+    reference, fast = (
+        Tracker(OnnxNetworks.load(mug_bundle, REALTIME, name, threads), pose).step(cloud).pose
+        for name, threads in (("cpu", 1), (provider, 2))
+    )
+    assert np.degrees(rotation_angle(reference.rotation[0].T @ fast.rotation[0])) < 3
+    np.testing.assert_allclose(fast.translation, reference.translation, atol=0.005)
+    np.testing.assert_allclose(fast.scale, reference.scale, rtol=0.02)
+
+
+@pytest.mark.parametrize(("threads", "parts", "runs"), [(1, 1, 1), (2, 1, 2), (8, 1, 2), (2, 4, 1)])
+def test_two_networks_share_the_threads(threads: int, parts: int, runs: int) -> None:
+    assert runs_at_a_time(threads, parts) == runs
 
 
 @pytest.mark.skipif(
