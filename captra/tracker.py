@@ -119,6 +119,10 @@ class Tracker:
         self._size = SizeMemory.of(pose, self._given_weight_frames)
         self._health = self._health.restarted()
 
+    def displace(self, pose: Pose) -> None:
+        """Take `pose` for where the object was last, without forgetting its size or the track's health."""
+        self._pose = pose
+
     def step(
         self, observed: Observation | Float[np.ndarray, "all 3"], segmentation: Segmentation = NOTHING_KNOWN
     ) -> TrackResult:

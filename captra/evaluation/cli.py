@@ -35,57 +35,59 @@ def evaluate(
     models: Models = DEFAULT_MODELS,
     profile: ProfileName = "realtime",
     provider: Provider = "cpu",
+    robustness: Annotated[bool, typer.Option("--robustness", help="Also with noise on the poses.")] = False,
+    baseline: Annotated[bool, typer.Option("--baseline", help="Also oracle ICP, RANSAC and a fixed scale.")] = False,
+    response: Annotated[bool, typer.Option("--response", help="Also the response test, on every sequence.")] = False,
     jobs: Annotated[int, typer.Option(help="Sequences tracked at a time, each in a process of its own.")] = 1,
     cache: Cache = DEFAULT_CACHE,
+    pictures: Annotated[
+        Path | None, typer.Option(help="Folder for errors over time and the ten worst moments.")
+    ] = None,
     write_scores: Annotated[bool, typer.Option("--write-scores", help="Put the means into the manifests.")] = False,
     json_out: Annotated[Path | None, typer.Option("--json", help="Also write the rows as JSON.")] = None,
-    markdown_out: Annotated[Path | None, typer.Option("--markdown", help="Also write the table as Markdown.")] = None,
+    markdown_out: Annotated[Path | None, typer.Option("--markdown", help="Also write the tables as Markdown.")] = None,
 ) -> None:
-    """Track whole sequences with the exported networks and print the paper's measures.
+    """Track whole sequences with the exported networks and print the paper's measures beside its own figures.
 
     Example: captra evaluate --category mug --recordings recordings --procedural 20 --jobs 2
     """
     from rich.console import Console
 
+    from captra.evaluation import followers
     from captra.evaluation.manifest_scores import command_for
     from captra.evaluation.manifest_scores import write_scores as write
-    from captra.evaluation.runner import evaluate as run
+    from captra.evaluation.report import Report
     from captra.evaluation.sequence_cache import SequenceCache
     from captra.evaluation.sequences import library, recordings_in
     from captra.evaluation.sequences import procedural as unseen
-    from captra.evaluation.summary import Summary, as_json, average, average_of_parts, markdown, summarize
-    from captra.evaluation.table import WIDTH, table
+    from captra.evaluation.table import WIDTH
     from captra.evaluation.workers import workers
     from captra.runtime.cores import available_cores
 
-    console, rows, kept = Console(width=WIDTH), list[Summary](), SequenceCache.open(cache)
-    options = {"recordings": recordings, "procedural": procedural, "frames": frames}
+    console, kept = Console(width=WIDTH), SequenceCache.open(cache)
+    others = (*(followers.ROBUSTNESS if robustness else ()), *(followers.BASELINES if baseline else ()))
+    options = {"recordings": recordings, "procedural": procedural, "frames": frames, "profile": profile}
     options |= {"meshes": meshes} if meshes else {}
+    report = Report()
     with workers(jobs) as pool:
         for name in category or _available(models):
-            threads = max(1, available_cores() // jobs)
-            exported, means = _exported(models, name, profile, provider, threads), dict[str, Summary]()
+            exported = _exported(models, name, profile, provider, max(1, available_cores() // jobs))
             for group, sources in (
                 ("recordings", recordings_in(recordings, name, meshes)),
                 ("procedural", unseen(name, procedural, kept, frames)),
                 ("meshes", library(meshes, name, kept, frames) if meshes else ()),
             ):
-                scores = []
-                for score in run(exported, sources, pool):
-                    scores.append(score)
-                    console.print(f"tracked {score.name}: 5°5cm {100 * score.within_5deg_5cm.mean():.1f} %")
-                if not scores:
-                    continue
-                found = [summarize(score) for score in scores]
-                means[group] = average(f"{name}: mean of {len(found)} {group}", found)
-                rows += [*found, *average_of_parts(scores), means[group]]
-            if write_scores and means:
-                write(models / name, command_for(name, options | {"profile": profile}), means)
-    console.print(table(rows, f"{profile}, {provider}"))
+                report.measure(exported, name, group, list(sources), others, pool, console, with_response=response)
+            if write_scores and report.means(name):
+                write(models / name, command_for(name, options), report.means(name))
+    for table in report.tables(f"{profile}, {provider}"):
+        console.print(table)
     if json_out is not None:
-        json_out.write_text(json.dumps(as_json(rows), indent=1) + "\n")
+        json_out.write_text(json.dumps(report.as_json(), indent=1) + "\n")
     if markdown_out is not None:
-        markdown_out.write_text(markdown(rows) + "\n")
+        markdown_out.write_text(report.markdown())
+    if pictures is not None:
+        report.draw(pictures)
 
 
 def response(

@@ -6,14 +6,17 @@ from functools import lru_cache, partial
 from pathlib import Path
 from typing import Protocol
 
-from captra.data.recordings import Recording
+from captra.evaluation.followers.follower import Follower, Track
+from captra.evaluation.followers.served import Served
+from captra.evaluation.response import Response, response
 from captra.evaluation.scoring import SequenceScore, score
 from captra.evaluation.sequences import SequenceSource
 from captra.evaluation.workers import Workers
-from captra.geometry import Pose
 from captra.runtime.onnx_networks import OnnxNetworks
-from captra.sampling import PROFILES, NoPointsError
-from captra.tracker import Networks, Tracker
+from captra.sampling import PROFILES
+from captra.tracker import Networks
+
+AS_SERVED = Served()
 
 
 class NetworksSource(Hashable, Protocol):
@@ -41,27 +44,41 @@ class ExportedNetworks:
         return OnnxNetworks.load(self.bundle, PROFILES[self.profile], self.provider, self.threads)
 
 
-def track(networks: Networks, recording: Recording) -> list[Pose]:
-    """Poses of frames 1, 2, … from the recording's first pose; a frame without points keeps the last pose."""
-    tracker = Tracker(networks, recording.init)
-    poses = []
-    for cloud in recording.clouds[1:]:
-        try:
-            poses.append(tracker.step(cloud).pose)
-        except NoPointsError:
-            poses.append(tracker.pose)
-    return poses
+@dataclass(frozen=True)
+class Outcome:
+    """One sequence, followed and scored."""
+
+    source: SequenceSource
+    """Where the sequence comes from."""
+    track: Track
+    """What the follower said."""
+    score: SequenceScore
+    """How wrong it was."""
 
 
-def evaluate(networks: NetworksSource, sources: Iterable[SequenceSource], workers: Workers) -> Iterator[SequenceScore]:
-    """Track and score every sequence with one set of networks; the scores come in the order of the sources."""
-    return workers.map(partial(track_and_score, networks), sources)
+def evaluate(
+    networks: NetworksSource, sources: Iterable[SequenceSource], workers: Workers, follower: Follower = AS_SERVED
+) -> Iterator[Outcome]:
+    """Follow and score every sequence with one set of networks; outcomes come in the order of the sources."""
+    return workers.map(partial(follow_and_score, networks, follower), sources)
 
 
-def track_and_score(networks: NetworksSource, source: SequenceSource) -> SequenceScore:
-    """Load, track and score one sequence."""
+def follow_and_score(networks: NetworksSource, follower: Follower, source: SequenceSource) -> Outcome:
+    """Load, follow and score one sequence."""
     sequence = source.load()
-    return score(sequence.recording, track(_loaded(networks), sequence.recording), sequence.model)
+    track = follower(_loaded(networks), sequence)
+    return Outcome(source, track, score(sequence.recording, track.poses, sequence.model))
+
+
+def response_of(
+    networks: NetworksSource, sources: Iterable[SequenceSource], workers: Workers
+) -> Iterator[list[Response]]:
+    """The response test on every sequence."""
+    return workers.map(partial(_respond, networks), sources)
+
+
+def _respond(networks: NetworksSource, source: SequenceSource) -> list[Response]:
+    return response(_loaded(networks), source.load().recording)
 
 
 @lru_cache(maxsize=1)

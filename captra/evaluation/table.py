@@ -5,6 +5,8 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 from rich.table import Table
 
+from captra.evaluation import comparison
+from captra.evaluation.comparison import Comparison
 from captra.evaluation.response import ANGLES_DEG, Response
 from captra.evaluation.summary import COLUMNS, Summary, cells
 
@@ -20,6 +22,18 @@ def table(rows: Iterable[Summary], title: str) -> Table:
         result.add_column(column, justify="right")
     for row in rows:
         result.add_row(row.name, *cells(row), style="bold" if ": mean of" in row.name else None)
+    return result
+
+
+def comparison_table(rows: Iterable[Comparison]) -> Table:
+    """What was measured beside what the paper reports of its own test data."""
+    result = Table(title="here | the paper (rigid: NOCS-REAL275, articulated: SAPIEN)")
+    for column in ("sequences", "category", "part"):
+        result.add_column(column, no_wrap=True)
+    for column in comparison.COLUMNS:
+        result.add_column(column, justify="right", no_wrap=True)
+    for row in rows:
+        result.add_row(row.group, row.category, row.part, *comparison.cells(row))
     return result
 
 

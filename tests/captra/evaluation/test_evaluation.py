@@ -5,6 +5,7 @@ import pytest
 
 from captra.data.recordings import Recording
 from captra.evaluation import observability, runner, summary, workers
+from captra.evaluation.followers.served import Served
 from captra.evaluation.response import response
 from captra.evaluation.scoring import joint_errors, score
 from captra.evaluation.sequences import Sequence
@@ -122,7 +123,8 @@ def test_perfect_networks_track_perfectly() -> None:
     recording = still_recording("can")
     truth = recording.truth(0)
     sources = [Held(Sequence(recording, (truth.size[:1] / 2,)))]
-    (found,) = runner.evaluate(Ready(OracleNetworks(recording.category, truth, truth)), sources, workers.Here())
+    (outcome,) = runner.evaluate(Ready(OracleNetworks(recording.category, truth, truth)), sources, workers.Here())
+    found = outcome.score
     assert found.within_ad10.all()
     assert found.within_5deg_5cm.all()
     assert found.iou.min() > 0.9
@@ -132,7 +134,8 @@ def test_frames_without_points_keep_the_last_pose() -> None:
     recording = still_recording("camera")
     truth = recording.truth(0)
     clouds = (*recording.clouds[:2], recording.clouds[0] + np.float32(9), recording.clouds[3])
-    poses = runner.track(OracleNetworks(recording.category, truth, truth), replace(recording, clouds=clouds))
+    sequence = Sequence(replace(recording, clouds=clouds), ())
+    poses = Served()(OracleNetworks(recording.category, truth, truth), sequence).poses
     assert poses[1] is poses[0]
 
 

@@ -1,0 +1,65 @@
+"""The tracker as it is served, also with its poses disturbed as the paper does to test robustness."""
+
+import zlib
+from dataclasses import dataclass
+
+import numpy as np
+
+from captra.evaluation.followers.follower import Track, follow
+from captra.evaluation.sequences import Sequence
+from captra.geometry import Pose
+from captra.health import HealthMonitor, State
+from captra.perturbation import perturb
+from captra.size_memory import GIVEN_WEIGHT_FRAMES
+from captra.tracker import Networks, Tracker
+
+ENDLESS_FRAMES = 1e9
+"""A given size that is worth so many frames never changes."""
+
+
+@dataclass(frozen=True)
+class Served:
+    """The tracker with its memory of the size, its fusion of rotations and its refusal of leaps."""
+
+    label: str = "captra"
+    """As tables name it."""
+    start_noise: float = 0.0
+    """Pose noise added to the given pose, which has the category's noise once already; in units of that noise."""
+    frame_noise: float = 0.0
+    """Pose noise added to the last pose before every step, in the same units."""
+    given_weight_frames: float = GIVEN_WEIGHT_FRAMES
+    """Frames that the size of the given pose is worth."""
+
+    def __call__(self, networks: Networks, sequence: Sequence) -> Track:
+        """Follow the object; the noise is the same in every run."""
+        recording = sequence.recording
+        rng = np.random.default_rng(zlib.crc32(recording.name.encode()))
+        start = _disturbed(recording.init, networks, rng, self.start_noise)
+        tracker = Tracker(networks, start, HealthMonitor(), self.given_weight_frames)
+        states: list[State] = [State.TRACKING]
+
+        def step(cloud: np.ndarray, _frame: int, last: Pose) -> Pose:
+            if self.frame_noise:
+                tracker.displace(_disturbed(last, networks, rng, self.frame_noise))
+            states.append(states[-1])
+            result = tracker.step(cloud)
+            states[-1] = result.state
+            return result.pose
+
+        return Track(follow(sequence, start, step), tuple(states[1:]))
+
+
+def _disturbed(pose: Pose, networks: Networks, rng: np.random.Generator, noise: float) -> Pose:
+    return perturb(pose, networks.category, rng, noise) if noise else pose
+
+
+ROBUSTNESS = (
+    Served("Init x1", start_noise=1),
+    Served("Init x2", start_noise=2),
+    Served("All x1", frame_noise=1),
+    Served("All x2", frame_noise=2),
+)
+"""The settings of the paper's table "Robustness to pose errors"."""
+
+FIXED_SCALE = Served("scale fixed at its start", given_weight_frames=ENDLESS_FRAMES)
+"""What becomes of a track whose size is taken for known."""
