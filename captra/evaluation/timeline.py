@@ -43,6 +43,10 @@ def plot_timeline(outcome: Outcome, picture: Path) -> None:
 
 def stretches(states: tuple[State, ...]) -> list[tuple[int, int, State]]:
     """First and last index of every run of the same state."""
-    starts = [i for i, state in enumerate(states) if i == 0 or states[i - 1] is not state]
-    ends = [*(start - 1 for start in starts[1:]), len(states) - 1]
-    return [(start, end, states[start]) for start, end in zip(starts, ends, strict=True)]
+    found: list[tuple[int, int, State]] = []
+    for index, state in enumerate(states):
+        if found and found[-1][2] is state:
+            found[-1] = (found[-1][0], index, state)
+        else:
+            found.append((index, index, state))
+    return found
