@@ -1,5 +1,6 @@
 """`captra train`: from rendered views to checkpoints."""
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated
 
@@ -9,7 +10,10 @@ DEFAULT_FOLDER = Path(".campaign")
 
 
 def train(
-    category: Annotated[str, typer.Option(help="What to train, e.g. mug.")],
+    category: Annotated[str | None, typer.Option(help="What to train, e.g. mug.")] = None,
+    everything: Annotated[
+        bool, typer.Option("--all", help="All categories one after the other, from views to bundles in models/.")
+    ] = False,
     samples: Annotated[int, typer.Option(help="Samples that each network sees before the run ends.")] = 60_000,
     folder: Annotated[
         Path, typer.Option(help="Campaign folder: views are read from it, state goes to it.")
@@ -21,8 +25,11 @@ def train(
     ] = None,
     threads: Annotated[int, typer.Option(help="CPU threads.")] = 1,
     seed: Annotated[int, typer.Option(help="Of weights, views and perturbations.")] = 1,
+    meshes: Annotated[
+        Path | None, typer.Option(help="With --all: library whose objects for training are mixed into the views.")
+    ] = None,
 ) -> None:
-    """Train both networks of a category; interrupt it whenever you like, the same command goes on.
+    """Train both networks of a category, or of all; interrupt it whenever you like, the same command goes on.
 
     Views come from `python -m captra.data.generate`, which may still be writing.
 
@@ -42,6 +49,9 @@ def train(
     from captra.learn.training import Progress as RunProgress
     from captra.learn.training import Trainer
 
+    if (category is None) != everything:
+        raise typer.BadParameter("say either --category NAME or --all")
+
     def interrupt(*_: object) -> None:
         raise KeyboardInterrupt
 
@@ -49,6 +59,9 @@ def train(
     signal.signal(signal.SIGTERM, interrupt)
     console = Console()
     torch.set_num_threads(threads)
+    if category is None:
+        run_campaign(folder, samples, threads, seed, meshes, console.print)
+        return
     chosen = get_category(category)
     where = folder / "views" / category / "train"
     views = ViewDataset(where)
@@ -81,3 +94,27 @@ def train(
             console.print("stopped; run the same command to go on")
     plot_curves(state / "log.jsonl", state / "curves.png")
     console.print(f"checkpoints and curves are in {state}; next: captra export --category {category} …")
+
+
+def run_campaign(
+    folder: Path, samples: int, threads: int, seed: int, meshes: Path | None, tell: Callable[[str], None]
+) -> None:
+    """The queue of `--all`, until it is through or interrupted; what it tells is kept in the folder too."""
+    from datetime import UTC, datetime
+
+    from captra.learn.campaign import Campaign, Folders, LocalSteps, yield_to_others
+
+    folders = Folders(folder, Path("models"), Path("checkpoints"))
+    folder.mkdir(parents=True, exist_ok=True)
+
+    def note(text: str) -> None:
+        tell(text)
+        with (folder / "campaign.log").open("a") as log:
+            log.write(f"{datetime.now(UTC):%Y-%m-%d %H:%M:%S} {text}\n")
+
+    yield_to_others()
+    steps = LocalSteps(folders, samples, threads=threads, meshes=meshes, seed=seed)
+    try:
+        Campaign(folders, steps, samples, note).run()
+    except KeyboardInterrupt:
+        note("stopped; run the same command to go on")

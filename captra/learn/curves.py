@@ -32,3 +32,15 @@ def plot_curves(log: Path, picture: Path) -> None:
     axes.set(xlabel="samples", ylabel="weighted loss", yscale="log")
     axes.legend(fontsize="small")
     figure.savefig(picture, dpi=110)
+
+
+def plot_scores(log: Path, picture: Path) -> None:
+    """Draw the validation score over the samples seen: training goes on for as long as it rises."""
+    from matplotlib.figure import Figure
+
+    samples, scores = np.array([list(json.loads(line).values()) for line in log.read_text().splitlines()]).T
+    figure = Figure(figsize=(7, 4), layout="constrained")
+    axes = figure.subplots()
+    axes.plot(samples, scores, marker="o")
+    axes.set(xlabel="samples", ylabel="validation score, %", xlim=(0, None))
+    figure.savefig(picture, dpi=110)

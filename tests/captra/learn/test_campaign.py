@@ -1,0 +1,87 @@
+import json
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import pytest
+
+from captra.categories import CATEGORIES
+from captra.learn.campaign import MILESTONES, QUEUE, WARM_STARTS, Campaign, Folders, load_standings
+
+
+@dataclass
+class Scripted:
+    """Steps whose validation scores are given."""
+
+    folders: Folders
+    scores: list[float]
+    done: list[str] = field(default_factory=list)
+    stop_at: int = 10**9
+
+    def make_views(self, category: str) -> None:
+        self.done.append(f"views {category}")
+
+    def train(self, category: str, until: int) -> None:
+        if until >= self.stop_at:
+            raise KeyboardInterrupt
+        self.done.append(f"train {category} {until}")
+
+    def export(self, category: str) -> None:
+        out = self.folders.candidate(category)
+        out.mkdir(parents=True, exist_ok=True)
+        (out / "manifest.json").write_text(self.done[-1])
+
+    def validate(self, bundle: Path) -> float:
+        return self.scores.pop(0)
+
+    def draw(self, category: str) -> None:
+        self.done.append(f"draw {category}")
+
+
+@pytest.fixture
+def folders(tmp_path: Path) -> Folders:
+    (tmp_path / "models").mkdir()
+    return Folders(tmp_path / ".campaign", tmp_path / "models", tmp_path / "checkpoints")
+
+
+def test_only_what_scores_better_ships(folders: Folders) -> None:
+    steps = Scripted(folders, [50.0, 70.0, 60.0, 65.0, 69.0])
+    Campaign(folders, steps, 1000, lambda _: None).run(["can"])
+    assert (folders.models / "can" / "manifest.json").read_text() == "train can 500"
+    assert [path.name for path in folders.models.iterdir()] == ["can"]
+    standing = load_standings(folders.state)["can"]
+    assert (standing.milestones, standing.best, standing.best_samples) == (len(MILESTONES), 70.0, 500)
+    lines = [json.loads(line) for line in folders.scores("can").read_text().splitlines()]
+    assert lines[1] == {"samples": 500, "score": 70.0}
+
+
+def test_what_ships_already_has_to_be_beaten(folders: Folders) -> None:
+    (folders.models / "can").mkdir()
+    (folders.models / "can" / "manifest.json").write_text("old")
+    Campaign(folders, Scripted(folders, [80.0, *[79.0] * 5]), 1000, lambda _: None).run(["can"])
+    assert (folders.models / "can" / "manifest.json").read_text() == "old"
+
+
+def test_a_stopped_campaign_goes_on_where_it_was(folders: Folders) -> None:
+    first = Scripted(folders, [50.0, 51.0], stop_at=750)
+    with pytest.raises(KeyboardInterrupt):
+        Campaign(folders, first, 1000, lambda _: None).run(["can"])
+    second = Scripted(folders, [40.0, 41.0, 90.0])
+    Campaign(folders, second, 1000, lambda _: None).run(["can"])
+    assert [step for step in second.done if "draw" not in step] == [
+        "views can",
+        "train can 750",
+        "train can 900",
+        "train can 1000",
+    ]
+    third = Scripted(folders, [])
+    Campaign(folders, third, 1000, lambda _: None).run(["can"])
+    assert third.done == []
+
+
+def test_categories_that_others_start_from_come_first(folders: Folders) -> None:
+    assert sorted(QUEUE) == sorted(CATEGORIES)
+    assert all(QUEUE.index(source) < QUEUE.index(category) for category, source in WARM_STARTS.items())
+    assert folders.start_from("can") is None
+    (folders.checkpoints / "bottle").mkdir(parents=True)
+    (folders.checkpoints / "bottle" / "rotation.pt").touch()
+    assert folders.start_from("can") == folders.checkpoints / "bottle"
