@@ -9,6 +9,7 @@ from urllib.parse import urlsplit
 import httpx
 
 from captra.geometry import Pose
+from clients.credentials import Credentials
 from clients.errors import RequestRefusedError, ServiceUnreachableError
 
 DEFAULT_URL = "http://127.0.0.1:8080"
@@ -36,6 +37,8 @@ class OpenedSession:
     """Liveliness key of the client: when its token goes, so does the session."""
     endpoints: tuple[str, ...]
     """Where the service's Zenoh router listens."""
+    secret: bytes = b""
+    """Ends the attachment of every cloud; empty where the service asks for none."""
 
 
 class RestApi:
@@ -45,7 +48,10 @@ class RestApi:
         """Without `url`: what `CAPTRA_URL` says, else the address where a service listens by default."""
         self.url = url or os.environ.get(URL_VARIABLE) or DEFAULT_URL
         self.timeout_s = timeout_s
-        self._http = httpx.Client(base_url=self.url, timeout=timeout_s)
+        credentials = Credentials.from_environment()
+        self._http = httpx.Client(
+            base_url=self.url, timeout=timeout_s, headers=credentials.headers, verify=credentials.trust
+        )
 
     def open(self, category: str, pose: Pose, options: Mapping[str, Any]) -> OpenedSession:
         """POST a session; options that are None are left to the service."""
@@ -62,6 +68,7 @@ class RestApi:
             event_key=zenoh["event"],
             token_key=zenoh.get("liveliness", {}).get("client", f"{stem}/client"),
             endpoints=tuple(reachable(endpoint, self.url) for endpoint in zenoh["endpoints"]),
+            secret=bytes.fromhex(zenoh.get("secret") or ""),
         )
 
     def session(self, session_id: str) -> Mapping[str, Any]:

@@ -8,6 +8,7 @@ from threading import Event, Thread
 import zenoh
 
 from clients.clouds import attachment
+from clients.credentials import Credentials
 from clients.errors import ServiceUnreachableError
 from clients.rest import OpenedSession
 
@@ -56,7 +57,7 @@ class CloudStream:
 
     def put(self, payload: bytes, seq: int, stamp_ns: int) -> None:
         """Send one cloud; it is dropped rather than kept waiting when the network is congested."""
-        self._publisher.put(payload, attachment=attachment(seq, stamp_ns))
+        self._publisher.put(payload, attachment=attachment(seq, stamp_ns) + self._opened.secret)
 
     def close(self) -> None:
         """Withdraw the liveliness token, stop listening and disconnect."""
@@ -75,6 +76,8 @@ def connect(endpoints: tuple[str, ...], timeout_s: float) -> zenoh.Session:
     config.insert_json5("connect/timeout_ms", str(int(1e3 * timeout_s)))
     config.insert_json5("connect/retry", json.dumps(RETRY))
     config.insert_json5("scouting/multicast/enabled", "false")
+    for key, value in Credentials.from_environment().zenoh_entries.items():
+        config.insert_json5(key, json.dumps(value))
     try:
         return zenoh.open(config)
     except zenoh.ZError as error:

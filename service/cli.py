@@ -21,14 +21,15 @@ def serve(
 
     Stops on SIGTERM or Ctrl-C, after the frames in hand.
 
-    Example: `captra serve --port 8090 --zenoh-listen tcp/0.0.0.0:7447`
+    Example: `captra serve --port 8090 --zenoh-listen tcp/127.0.0.1:7448`
     """
     from pydantic import ValidationError
     from pydantic_settings import SettingsError
 
     from service.http_server import PortInUseError
     from service.run import run
-    from service.settings import MissingConfigError, load_settings
+    from service.security.wiring import ExposedError
+    from service.settings import load_settings
     from service.store import StoreError
     from service.transport import TransportError
 
@@ -40,7 +41,7 @@ def serve(
             name = ".".join(str(step) for step in entry["loc"])
             typer.echo(f"captra serve: setting {name}: {entry['msg']}", err=True)
         raise typer.Exit(2) from None
-    except (MissingConfigError, SettingsError) as error:
+    except (ExposedError, FileNotFoundError, SettingsError) as error:
         typer.echo(f"captra serve: {error}", err=True)
         raise typer.Exit(2) from None
     except (PortInUseError, StoreError, TransportError) as error:

@@ -3,6 +3,7 @@
 import contextlib
 import socket
 from collections.abc import Iterator
+from pathlib import Path
 
 import uvicorn
 from fastapi import FastAPI
@@ -31,7 +32,10 @@ def bind(host: str, port: int) -> socket.socket:
 class HttpServer(uvicorn.Server):
     """Serves an application until `stop` is called, from any thread or a signal handler."""
 
-    def __init__(self, app: FastAPI, shutdown_timeout_s: float) -> None:
+    def __init__(
+        self, app: FastAPI, shutdown_timeout_s: float, certificate: Path | None = None, key: Path | None = None
+    ) -> None:
+        """With a certificate and its key (PEM) it speaks HTTPS alone."""
         super().__init__(
             uvicorn.Config(
                 app,
@@ -39,6 +43,8 @@ class HttpServer(uvicorn.Server):
                 log_config=None,
                 access_log=False,
                 server_header=False,
+                ssl_certfile=certificate,
+                ssl_keyfile=key,
                 timeout_graceful_shutdown=max(1, round(shutdown_timeout_s)),
             )
         )

@@ -42,6 +42,8 @@ class NewSession:
     """Of depth images."""
     masks: str | None = None
     """What masks that travel with frames tell."""
+    secret_sha256: str | None = None
+    """Digest of the secret that has to accompany clouds by Zenoh, if one has to."""
 
 
 class Registry:
@@ -90,6 +92,7 @@ class Registry:
             trusted=TrustedPose(new.pose, None),
             camera=new.camera,
             masks=new.masks,
+            secret_sha256=new.secret_sha256,
         )
         session = self._begin(record)
         try:

@@ -67,6 +67,10 @@ class PayloadTooLargeError(FrameRejectedError, status=413):
     """The cloud has more bytes than the service takes."""
 
 
+class WrongSecretError(FrameRejectedError, status=403):
+    """The cloud comes from someone who does not know the session's secret."""
+
+
 class StaleSeqError(FrameRejectedError, status=409):
     """The frame is older than the last one processed."""
 
@@ -141,6 +145,14 @@ class SizeNotPositiveError(RequestRejectedError):
 
 class ImplausiblePoseError(RequestRejectedError):
     """The pose is far beyond what a camera sees: probably not in metres."""
+
+
+class UnauthorizedError(RequestRejectedError, status=401):
+    """The request does not say who calls, or not so that it can be believed."""
+
+
+class ForbiddenError(RequestRejectedError, status=403):
+    """The caller is known, but may not do this."""
 
 
 class TooManySessionsError(RequestRejectedError, status=429):

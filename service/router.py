@@ -3,7 +3,10 @@
 import json
 import logging
 import threading
+from collections.abc import Mapping
 from contextlib import ExitStack
+from types import MappingProxyType
+from typing import Any
 
 import zenoh
 
@@ -15,7 +18,9 @@ from service.transport import TransportError
 logger = logging.getLogger(__name__)
 
 
-def router_config(listen: tuple[str, ...], max_message_bytes: int) -> zenoh.Config:
+def router_config(
+    listen: tuple[str, ...], max_message_bytes: int, security: Mapping[str, Any] = MappingProxyType({})
+) -> zenoh.Config:
     """A router that listens where it is told and looks for nobody."""
     config = zenoh.Config()
     entries = {
@@ -26,7 +31,7 @@ def router_config(listen: tuple[str, ...], max_message_bytes: int) -> zenoh.Conf
         "scouting/delay": 0,  # nobody to wait for
         "transport/link/rx/max_message_size": max_message_bytes,
     }
-    for key, value in entries.items():
+    for key, value in (entries | dict(security)).items():
         config.insert_json5(key, json.dumps(value))
     return config
 
@@ -35,14 +40,21 @@ class ZenohTransport:
     """The service's Zenoh router; open it before sessions are attached, close it after they are gone."""
 
     def __init__(
-        self, service: str, listen: tuple[str, ...], advertise: tuple[str, ...], max_payload_bytes: int
+        self,
+        service: str,
+        listen: tuple[str, ...],
+        advertise: tuple[str, ...],
+        max_payload_bytes: int,
+        security: Mapping[str, Any] = MappingProxyType({}),
     ) -> None:
+        """`security` holds further entries of the configuration: certificates and access rules."""
         self._keys = ServiceKeys(service)
         self._listen = listen
         self._endpoints = advertise or listen
         self._max_message_bytes = (
             4 * max_payload_bytes
         )  # what is only somewhat too large gets a reason instead of silence
+        self._security = security
         self._resources = ExitStack()
         self._sessions: dict[str, Session] = {}  # by the keys of their clients' tokens
         self._tokens: set[str] = set()
@@ -64,7 +76,7 @@ class ZenohTransport:
             TransportError: when an endpoint is in use or makes no sense.
         """
         try:
-            config = router_config(self._listen, self._max_message_bytes)
+            config = router_config(self._listen, self._max_message_bytes, self._security)
             self._session = self._resources.enter_context(zenoh.open(config))
         except zenoh.ZError as error:
             raise TransportError(

@@ -12,6 +12,7 @@ from service.http_server import HttpServer, bind
 from service.logs import configure_logging
 from service.rest.app import create_app
 from service.router import ZenohTransport
+from service.security.wiring import check_exposure, check_files, zenoh_entries
 from service.settings import Settings
 from service.sqlite_store import SqliteSessionStore
 from service.tracking_service import TrackingService
@@ -29,7 +30,13 @@ def build_service(settings: Settings) -> TrackingService:
         settings,
         BundleNetworks(settings.models_dir, settings.profile, settings.provider, settings.threads),
         SqliteSessionStore(settings.state_dir / f"{settings.service}.sqlite"),
-        ZenohTransport(settings.service, settings.zenoh_listen, settings.zenoh_advertise, settings.max_payload_bytes),
+        ZenohTransport(
+            settings.service,
+            settings.zenoh_listen,
+            settings.zenoh_advertise,
+            settings.max_payload_bytes,
+            zenoh_entries(settings),
+        ),
     )
 
 
@@ -37,17 +44,24 @@ def run(settings: Settings, build: Callable[[Settings], TrackingService] = build
     """Serve what `build` makes until SIGTERM or SIGINT, then finish what is in hand; call it on the main thread.
 
     Raises:
+        ExposedError: others would reach a service that nothing guards.
+        FileNotFoundError: a certificate or key is missing.
         PortInUseError: the REST API cannot listen.
         StoreError: sessions cannot be kept.
         TransportError: Zenoh cannot listen.
     """
+    check_exposure(settings)
+    check_files(settings)
     configure_logging(settings.log_level)
     zenoh.init_log_from_env_or("error")
     with bind(settings.http_host, settings.http_port) as listener, build(settings) as service:
-        server = HttpServer(create_app(service), settings.shutdown_timeout_s)
+        server = HttpServer(
+            create_app(service), settings.shutdown_timeout_s, settings.http_tls_cert, settings.http_tls_key
+        )
         stop_on_signals(service, server)
         host, port = listener.getsockname()[:2]
-        logger.info("serving", extra={"http": f"http://{host}:{port}", "zenoh": service.transport.endpoints})
+        scheme = "http" if settings.http_tls_cert is None else "https"
+        logger.info("serving", extra={"http": f"{scheme}://{host}:{port}", "zenoh": service.transport.endpoints})
         server.run(sockets=[listener])
 
 

@@ -17,9 +17,16 @@ from service.ledger import Ledger
 from service.liveness import CloseReason, Liveness
 from service.networks import Engine
 from service.observer import NullObserver, Observer
-from service.rejections import InternalError, NoPointsNearObjectError, RejectedError, UnknownSessionError
+from service.rejections import (
+    InternalError,
+    NoPointsNearObjectError,
+    RejectedError,
+    UnknownSessionError,
+    WrongSecretError,
+)
 from service.reporter import Reporter
 from service.results import Event, EventKind, Result
+from service.security.secrets import admission_of
 from service.sequence import Sequence
 from service.store import SessionRecord, SessionStore, StoreError, TrustedPose
 
@@ -55,6 +62,8 @@ class Session:
         """What became of its frames."""
         self.codecs = codecs
         """Encodings of clouds that it reads."""
+        self.admission = admission_of(record.secret_sha256)
+        """Who may put clouds."""
         self._category = engine.networks.category
         self._reporter = Reporter(record, engine.networks.category)
         self._store = store
@@ -133,6 +142,10 @@ class Session:
     def refuse(self, rejection: RejectedError) -> None:
         """Count and tell of a frame that is refused before it was read."""
         self._arrived()
+        self._reject(rejection, None)
+
+    def turn_away(self, rejection: WrongSecretError) -> None:
+        """Count and tell of a cloud from a stranger, who does not keep the session alive."""
         self._reject(rejection, None)
 
     def reset(self, pose: Pose) -> Result:

@@ -3,9 +3,9 @@
 import os
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, Self
 
-from pydantic import Field, StringConstraints
+from pydantic import BaseModel, ConfigDict, Field, StringConstraints, model_validator
 from pydantic_settings import BaseSettings, PydanticBaseSettingsSource, SettingsConfigDict, TomlConfigSettingsSource
 
 CONFIG_VARIABLE = "CAPTRA_CONFIG"
@@ -13,6 +13,25 @@ CONFIG_VARIABLE = "CAPTRA_CONFIG"
 
 ProfileName = Literal["realtime", "paper"]
 KeyChunk = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9_]+(-[A-Za-z0-9_]+)*$", max_length=64)]
+
+
+class ApiKey(BaseModel):
+    """A key by which a caller of the REST API is known."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    name: str = Field(min_length=1, max_length=100)
+    sha256: str = Field(pattern="^[0-9a-f]{64}$")
+    may: Literal["read", "write"] = "write"
+
+
+class ZenohAccess(BaseModel):
+    """What the holder of a client certificate may do by Zenoh: watch all sessions, or put clouds as well."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    common_name: str = Field(min_length=1, max_length=64)
+    may: Literal["watch", "stream"] = "stream"
 
 
 class MissingConfigError(FileNotFoundError):
@@ -60,8 +79,44 @@ class Settings(BaseSettings):
     """How long a session outlives the liveliness token of its client."""
     shutdown_timeout_s: float = Field(default=3.0, gt=0, allow_inf_nan=False)
     """How long requests and frames in hand may take to finish when the service stops."""
+    api_keys: tuple[ApiKey, ...] = ()
+    """Who may call the REST API; of each key only the SHA-256 digest is written down."""
+    token_key_file: Path | None = None
+    """Key that signed bearer tokens (JWT) are checked with: a public key (PEM), or for HS256 the shared secret."""
+    token_algorithm: Literal["EdDSA", "ES256", "RS256", "HS256"] = "EdDSA"
+    """How tokens are signed."""
+    token_audience: str = "captra"
+    """Whom tokens have to be for (`aud`)."""
+    cloud_secrets: bool | None = None
+    """Whether clouds by Zenoh need the secret of their session; by default where the REST API asks who calls."""
+    allow_open: bool = False
+    """Start although other machines reach the service and nothing guards it."""
+    http_tls_cert: Path | None = None
+    """Certificate (PEM) of the REST API, which then speaks HTTPS alone."""
+    http_tls_key: Path | None = None
+    """Its private key."""
+    zenoh_tls_cert: Path | None = None
+    """Certificate (PEM) of the router's `tls/` endpoints."""
+    zenoh_tls_key: Path | None = None
+    """Its private key."""
+    zenoh_tls_ca: Path | None = None
+    """Authority that Zenoh clients' certificates have to come from: mutual TLS."""
+    zenoh_access: tuple[ZenohAccess, ...] = ()
+    """What each client may do by Zenoh, by the common name of its certificate; nobody else may do anything."""
     log_level: Literal["debug", "info", "warning", "error"] = "info"
     """Least severe log entries that are written."""
+
+    @model_validator(mode="after")
+    def certificates_have_keys(self) -> Self:
+        """A certificate is of no use without its key, nor rules without certificates."""
+        for face in ("http", "zenoh"):
+            if (getattr(self, f"{face}_tls_cert") is None) != (getattr(self, f"{face}_tls_key") is None):
+                raise ValueError(f"give both {face}_tls_cert and {face}_tls_key, or neither")
+        if self.zenoh_tls_ca is not None and self.zenoh_tls_cert is None:
+            raise ValueError("zenoh_tls_ca needs zenoh_tls_cert and zenoh_tls_key")
+        if self.zenoh_access and self.zenoh_tls_ca is None:
+            raise ValueError("zenoh_access needs zenoh_tls_ca: clients are known by their certificates")
+        return self
 
     @classmethod
     def settings_customise_sources(

@@ -12,7 +12,7 @@ from zenoh import ext
 from service.announcer import Announcer
 from service.envelopes import Envelope
 from service.keys import SessionKeys
-from service.rejections import RejectedError, UnknownSessionError
+from service.rejections import RejectedError, UnknownSessionError, WrongSecretError
 from service.results import Event, Result
 from service.session import Session
 
@@ -123,11 +123,16 @@ class SessionStream:
         except RejectedError as rejection:
             self._session.refuse(rejection)
             return
-        attachment = sample.attachment
+        attachment = None if sample.attachment is None else sample.attachment.to_bytes()
+        try:
+            attachment = self._session.admission.admit(attachment)
+        except WrongSecretError as rejection:
+            self._session.turn_away(rejection)
+            return
         envelope = Envelope(
             encoding=str(sample.encoding),
             payload=sample.payload.to_bytes(),
-            attachment=None if attachment is None else attachment.to_bytes(),
+            attachment=attachment,
             arrived_s=self._arrival_s(sample),
         )
         try:

@@ -7,6 +7,8 @@ from fastapi import FastAPI
 import captra
 from service.rest import catalog, documentation, frames, probes, problems, sessions
 from service.rest.dependencies import Workers
+from service.rest.guard import Guard
+from service.security.wiring import gate_of
 from service.tracking_service import TrackingService
 
 DESCRIPTION = """
@@ -28,6 +30,9 @@ class CaptraApi(FastAPI):
             problem = problems.Problem.model_json_schema(ref_template="#/components/schemas/{model}")
             schemas |= problem.pop("$defs", {})
             schemas["Problem"] = problem
+            bearer = {"type": "http", "scheme": "bearer", "description": "API key or signed token, where asked for."}
+            document["components"]["securitySchemes"] = {"bearer": bearer}
+            document["security"] = [{}, {"bearer": []}]
         return super().openapi()
 
 
@@ -38,6 +43,7 @@ def create_app(service: TrackingService) -> FastAPI:
     app.state.workers = Workers()
     problems.install(app)
     documentation.install(app)
+    app.add_middleware(Guard, gate=gate_of(service.settings))
     for module in (sessions, frames, catalog, probes):
         app.include_router(module.router)
     return app

@@ -34,6 +34,7 @@ STREAM_KEYS: JsonDict = {
     "pose": f"captra/default/sessions/{SESSION_ID}/pose",
     "event": f"captra/default/sessions/{SESSION_ID}/event",
     "endpoints": ["tcp/127.0.0.1:7447"],
+    "secret": None,
 }
 ENCODINGS: list[JsonValue] = [CLOUD_F32, CLOUD_I16, CDR]
 OPENED: JsonDict = {

@@ -59,6 +59,11 @@ class StreamKeys(BaseModel):
     pose: str = Field(description="Subscribe to results here.")
     event: str = Field(description="Subscribe to events here.")
     endpoints: list[str] = Field(description="Connect to one of these.")
+    secret: str | None = Field(
+        default=None,
+        description="32 hexadecimal digits, in the answer to POST alone: its 16 bytes end every cloud's attachment. "
+        "Null where anybody may put clouds.",
+    )
 
 
 class OpenedSession(BaseModel):

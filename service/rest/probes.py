@@ -11,13 +11,13 @@ from service.rest.problems import documented
 router = APIRouter(tags=["operations"])
 
 
-@router.get("/v1/health/live", responses=documented())
+@router.get("/v1/health/live", responses=documented(guarded=False))
 async def live() -> Health:
     """Whether the process answers."""
     return Health(status="live")
 
 
-@router.get("/v1/health/ready", responses=documented(NotReadyError, HinderedError))
+@router.get("/v1/health/ready", responses=documented(NotReadyError, HinderedError, guarded=False))
 async def ready(service: Service) -> Health:
     """Whether tracking can start at once: kernels compiled, models loaded, not stopping."""
     service.readiness.check()

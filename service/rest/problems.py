@@ -11,15 +11,18 @@ from pydantic import BaseModel, ConfigDict, Field
 from starlette.exceptions import HTTPException
 
 from service.rejections import (
+    ForbiddenError,
     FrameRejectedError,
     InternalError,
     InvalidRequestError,
     MethodNotAllowedError,
     NotFoundError,
     RejectedError,
+    UnauthorizedError,
 )
 
 MEDIA_TYPE = "application/problem+json"
+GUARDING = (UnauthorizedError, ForbiddenError)
 TYPE_PREFIX = "urn:captra:problem:"
 
 
@@ -59,10 +62,10 @@ class Problem(BaseModel):
     )
 
 
-def documented(*kinds: type[RejectedError]) -> dict[int | str, dict[str, Any]]:
+def documented(*kinds: type[RejectedError], guarded: bool = True) -> dict[int | str, dict[str, Any]]:
     """Entries for the `responses` of a route: each status once, with an example of each reason."""
     responses: dict[int | str, dict[str, Any]] = {}
-    every: set[type[RejectedError]] = {*kinds, InternalError}
+    every: set[type[RejectedError]] = {*kinds, InternalError, *(GUARDING if guarded else ())}
     for kind in sorted(every, key=lambda kind: (kind.status, kind.reason)):
         entry = responses.setdefault(kind.status, {"description": "", "content": {MEDIA_TYPE: _content()}})
         example = {"summary": kind.title, "value": _members(kind, "what is wrong, and what to do next", "/v1/…")}
@@ -80,6 +83,17 @@ def install(app: FastAPI) -> None:
     app.add_exception_handler(Exception, _defect)
 
 
+def answer(
+    request: Request, rejection: RejectedError, headers: Mapping[str, str] | None = None, **members: Any
+) -> Response:
+    """The answer that tells of a refusal; counts it, unless it is of a frame."""
+    if not isinstance(rejection, FrameRejectedError):  # frames are counted where they are refused
+        request.app.state.service.telemetry.request_rejected(rejection.reason)
+    body = _members(rejection, rejection.detail, request.url.path) | members
+    status = int(body["status"])
+    return Response(orjson.dumps(body), status, media_type=MEDIA_TYPE, headers=dict(headers or {}))
+
+
 def _content() -> dict[str, Any]:
     return {"schema": {"$ref": "#/components/schemas/Problem"}, "examples": {}}
 
@@ -95,19 +109,9 @@ def _members(kind: type[RejectedError] | RejectedError, detail: str, instance: s
     }
 
 
-def _answer(
-    request: Request, rejection: RejectedError, headers: Mapping[str, str] | None = None, **members: Any
-) -> Response:
-    if not isinstance(rejection, FrameRejectedError):  # frames are counted where they are refused
-        request.app.state.service.telemetry.request_rejected(rejection.reason)
-    body = _members(rejection, rejection.detail, request.url.path) | members
-    status = int(body["status"])
-    return Response(orjson.dumps(body), status, media_type=MEDIA_TYPE, headers=dict(headers or {}))
-
-
 async def _refused(request: Request, error: Exception) -> Response:
     assert isinstance(error, RejectedError)
-    return _answer(request, error)
+    return answer(request, error)
 
 
 async def _invalid(request: Request, error: Exception) -> Response:
@@ -118,7 +122,7 @@ async def _invalid(request: Request, error: Exception) -> Response:
     ]
     first = f"{errors[0]['pointer']}: {errors[0]['detail']}" if errors else "see the OpenAPI document"
     more = f" (and {len(errors) - 1} more)" if len(errors) > 1 else ""
-    return _answer(request, InvalidRequestError(first + more), errors=errors)
+    return answer(request, InvalidRequestError(first + more), errors=errors)
 
 
 async def _http_error(request: Request, error: Exception) -> Response:
@@ -132,9 +136,9 @@ async def _http_error(request: Request, error: Exception) -> Response:
             rejection = MethodNotAllowedError(f"{path} cannot be reached with {method}: use {allowed}")
         case _:
             rejection = InvalidRequestError(str(error.detail))
-            return _answer(request, rejection, error.headers, status=error.status_code)
-    return _answer(request, rejection, error.headers)
+            return answer(request, rejection, error.headers, status=error.status_code)
+    return answer(request, rejection, error.headers)
 
 
 async def _defect(request: Request, error: Exception) -> Response:  # noqa: ARG001 - the log has it
-    return _answer(request, InternalError("the service failed on this request; its log tells why"))
+    return answer(request, InternalError("the service failed on this request; its log tells why"))

@@ -1,6 +1,8 @@
 """Paths of sessions: open, look, start again, close."""
 
+from dataclasses import replace
 from functools import partial
+from hashlib import sha256
 
 from fastapi import APIRouter, Request, Response
 
@@ -33,6 +35,8 @@ from service.rest.outputs import OpenedSession, Result, Sessions, SessionState
 from service.rest.poses import pose_of
 from service.rest.problems import documented
 from service.rest.views import opened, state_of
+from service.security.secrets import new_secret
+from service.security.wiring import clouds_need_secrets
 from service.settings import Settings
 
 router = APIRouter(prefix="/v1/sessions", tags=["sessions"], route_class=JsonRoute)
@@ -62,10 +66,15 @@ async def open_session(
     body: NewSession, request: Request, response: Response, service: Service, threads: OnThread
 ) -> OpenedSession:
     """Open a session: say what is tracked and where every part is in the first cloud."""
-    order = order_of(body, service.settings)
+    order, secret = order_of(body, service.settings), None
+    if clouds_need_secrets(service.settings):
+        secret = new_secret()
+        order = replace(order, secret_sha256=sha256(secret).hexdigest())
     session = await threads.run(lambda: service.registry.open(order))
     response.headers["Location"] = f"{router.prefix}/{session.session_id}"
-    return opened(session, service, request.url.hostname or "")
+    answer = opened(session, service, request.url.hostname or "")
+    answer.zenoh.secret = None if secret is None else secret.hex()
+    return answer
 
 
 @router.get("", responses=documented())

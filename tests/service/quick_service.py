@@ -2,6 +2,7 @@
 
 from service.router import ZenohTransport
 from service.run import run
+from service.security.wiring import zenoh_entries
 from service.settings import Settings
 from service.sqlite_store import SqliteSessionStore
 from service.tracking_service import TrackingService
@@ -10,7 +11,9 @@ from tests.service.support import CentreProvider
 
 def build(settings: Settings) -> TrackingService:
     store = SqliteSessionStore(settings.state_dir / f"{settings.service}.sqlite")
-    transport = ZenohTransport(settings.service, settings.zenoh_listen, (), settings.max_payload_bytes)
+    transport = ZenohTransport(
+        settings.service, settings.zenoh_listen, (), settings.max_payload_bytes, zenoh_entries(settings)
+    )
     return TrackingService(settings, CentreProvider("mug"), store, transport)
 
 

@@ -19,7 +19,7 @@ METHODS = {
     "/v1/health/ready": {"get"},
     "/metrics": {"get"},
 }
-NEVER_BY_A_PATH = {"missing-attachment", "malformed-attachment", "not-found", "method-not-allowed"}
+NEVER_BY_A_PATH = {"missing-attachment", "malformed-attachment", "wrong-secret", "not-found", "method-not-allowed"}
 
 
 @pytest.fixture

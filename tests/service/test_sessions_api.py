@@ -25,6 +25,7 @@ def test_post_opens_a_session(service: Running) -> None:
         "pose": f"captra/default/sessions/{session_id}/pose",
         "event": f"captra/default/sessions/{session_id}/event",
         "endpoints": [service.endpoint],
+        "secret": None,
     }
     OpenedSession.model_validate_json(answer.content)
     assert service.http.get(answer.headers["Location"]).status_code == 200
