@@ -13,6 +13,9 @@ from clients.errors import FrameRejectedError, NoResultError, SessionClosedError
 from clients.inbox import Inbox
 from clients.results import Event, Result
 
+STRANGERS = "wrong-secret"
+"""Why clouds are rejected that somebody else put on this session's key."""
+
 Cloud = Float[np.ndarray, "points 3"]
 
 
@@ -30,8 +33,8 @@ Message = Result | Event | Fed
 
 
 def raise_rejections(event: Event) -> None:
-    """Turn the rejection of a cloud into an exception."""
-    if event.kind == "rejected":
+    """Turn the rejection of a cloud into an exception; those of strangers' clouds are none of ours."""
+    if event.kind == "rejected" and event.reason != STRANGERS:
         raise FrameRejectedError(event.seq, event.reason, event.detail)
 
 
@@ -72,6 +75,8 @@ class Line:
 def answered_seq(message: Message, unnumbered: int) -> int:
     """Number of the cloud that a message answers; `unnumbered` for a cloud refused unread; -1 when it answers none."""
     match message:
+        case Event(reason=reason) if reason == STRANGERS:
+            return -1
         case Result(seq=seq) | Event(kind="rejected", seq=int(seq)):
             return seq
         case Event(kind="rejected"):
