@@ -17,18 +17,28 @@ Pace = Annotated[
 ]
 ProfileName = Annotated[str | None, typer.Option(help="Sampling budget: realtime or paper. [default: the service's]")]
 EncodingName = Annotated[Literal["i16", "f32"], typer.Option(help="How clouds are sent.")]
+Record = Annotated[Path | None, typer.Option(help="Write the session into this *.mcap file, for Foxglove and Rerun.")]
 
 
 def track(
     recordings: Annotated[
-        list[Path], typer.Argument(metavar="RECORDING...", help="Recordings, *.npz.", exists=True, dir_okay=False)
+        list[Path],
+        typer.Argument(
+            metavar="RECORDING...",
+            help="Recordings: *.npz with ground truth, or *.mcap of sessions.",
+            exists=True,
+            dir_okay=False,
+        ),
     ],
     url: Url = None,
     as_fast_as_possible: Pace = False,
     profile: ProfileName = None,
     encoding: EncodingName = "i16",
+    record: Record = None,
 ) -> None:
     """Play recordings through a running service and compare the poses with the truth; several end with their mean.
+
+    An *.mcap file of a session is replayed as it went, and its poses are compared with those in the file.
 
     Example:
 
@@ -40,10 +50,17 @@ def track(
     from captra.evaluation.table import WIDTH
     from clients.console import errors_for_people, view_for
     from clients.playback import play_through
+    from clients.replay import replay
     from clients.report import means_of, table_of
 
     console, playbacks = Console(), []
-    for path in recordings:
+    sessions = [path for path in recordings if path.suffix == ".mcap"]
+    for path in sessions:
+        with errors_for_people(), view_for(console) as view:
+            pairs = replay(url, path, view)
+        same = sum(pair.identical for pair in pairs)
+        console.print(f"{path}: {len(pairs)} frames replayed, {same} with the same pose to the last digit")
+    for path in [path for path in recordings if path not in sessions]:
         with errors_for_people(), view_for(console) as view:
             playback = play_through(
                 url,
@@ -52,6 +69,7 @@ def track(
                 as_fast_as_possible=as_fast_as_possible,
                 profile=profile,
                 encoding=encoding,
+                record=record,
             )
         console.print(table_of(playback))
         playbacks.append(playback)

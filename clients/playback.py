@@ -3,6 +3,7 @@
 import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -76,10 +77,13 @@ def play_through(
     as_fast_as_possible: bool,
     profile: str | None = None,
     encoding: str = "i16",
+    record: Path | None = None,
 ) -> Playback:
     """Play a recording in a session of its own, at the camera's rate or as fast as the service answers."""
     rate_hz = None if as_fast_as_possible else frame_rate_hz(recording)
-    with open_session(recording.category.name, recording.init, url=url, profile=profile, encoding=encoding) as session:
+    with open_session(
+        recording.category.name, recording.init, url=url, profile=profile, encoding=encoding, record=record
+    ) as session:
         return play(session, recording, rate_hz, watch)
 
 

@@ -55,8 +55,7 @@ class RestApi:
 
     def open(self, category: str, pose: Pose, options: Mapping[str, Any]) -> OpenedSession:
         """POST a session; options that are None are left to the service."""
-        chosen = {name: value for name, value in options.items() if value is not None}
-        answer = self._call("POST", "/v1/sessions", json={"category": category, "parts": parts_of(pose), **chosen})
+        answer = self.post_session(session_body(category, pose, options))
         zenoh = answer["zenoh"]
         stem = zenoh["cloud"].removesuffix("/cloud")
         return OpenedSession(
@@ -70,6 +69,10 @@ class RestApi:
             endpoints=tuple(reachable(endpoint, self.url) for endpoint in zenoh["endpoints"]),
             secret=bytes.fromhex(zenoh.get("secret") or ""),
         )
+
+    def post_session(self, body: Mapping[str, Any]) -> Mapping[str, Any]:
+        """POST a session as it is described."""
+        return self._call("POST", "/v1/sessions", json=body)
 
     def session(self, session_id: str) -> Mapping[str, Any]:
         """GET state, last result and counters."""
@@ -85,7 +88,11 @@ class RestApi:
 
     def reset(self, session_id: str, pose: Pose) -> None:
         """PUT a new pose."""
-        self._call("PUT", f"/v1/sessions/{session_id}/pose", json={"parts": parts_of(pose)})
+        self.put_pose(session_id, {"parts": parts_of(pose)})
+
+    def put_pose(self, session_id: str, body: Mapping[str, Any]) -> None:
+        """PUT a new pose as it is described."""
+        self._call("PUT", f"/v1/sessions/{session_id}/pose", json=body)
 
     def post_frame(
         self, session_id: str, payload: bytes, media_type: str, *, seq: int, stamp_ns: int
@@ -131,6 +138,12 @@ class RestApi:
         if response.is_success:
             return response.json() if response.content else {}
         raise refusal(response)
+
+
+def session_body(category: str, pose: Pose, options: Mapping[str, Any]) -> dict[str, Any]:
+    """The body of a POST that opens a session; options that are None are left to the service."""
+    chosen = {name: value for name, value in options.items() if value is not None}
+    return {"category": category, "parts": parts_of(pose), **chosen}
 
 
 def parts_of(pose: Pose) -> list[dict[str, Any]]:

@@ -6,6 +6,7 @@ from collections import OrderedDict
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import ExitStack, closing, suppress
 from dataclasses import replace
+from pathlib import Path
 from threading import Lock
 from types import TracebackType
 from typing import Self
@@ -18,7 +19,8 @@ from clients import tracking
 from clients.clouds import CloudEncoding, Frame, get_encoding
 from clients.errors import NoResultError, ServiceUnreachableError
 from clients.inbox import Inbox
-from clients.rest import OpenedSession, RestApi
+from clients.recorder import Recorder, recorder_for
+from clients.rest import OpenedSession, RestApi, parts_of, session_body
 from clients.results import Event, Result, parse_event, parse_result
 from clients.stream import CloudStream
 
@@ -37,6 +39,7 @@ def open_session(
     frame_id: str | None = None,
     idle_timeout_s: float | None = None,
     encoding: str = "i16",
+    record: Path | str | None = None,
     timeout_s: float = 10.0,
 ) -> "Session":
     """Open a tracking session; use it with `with`, so that it gets closed.
@@ -50,6 +53,7 @@ def open_session(
         idle_timeout_s: the service closes the session after so long without a cloud.
         encoding: `i16` (0.1 mm steps, ±3.27 m, 10,000 points in one Zenoh batch: finer than any depth camera, and half
             the bytes) or `f32`, for scenes that reach further.
+        record: file to write everything into that is sent and received, *.mcap; `captra track` replays it.
         timeout_s: the longest wait for an answer by HTTP, and for the connection by Zenoh.
 
     Raises:
@@ -60,17 +64,23 @@ def open_session(
     options = {"profile": profile, "frame_id": frame_id, "idle_timeout_s": idle_timeout_s}
     with ExitStack() as resources:
         api = resources.enter_context(closing(RestApi(url, timeout_s)))
-        return Session(api, api.open(category, pose, options), chosen, resources)
+        recorder = recorder_for(record)
+        resources.callback(recorder.close)
+        recorder.session(session_body(category, pose, options))
+        return Session(api, api.open(category, pose, options), chosen, resources, recorder)
 
 
 class Session:
     """One tracked object. Puts may come from any thread, results are read by one."""
 
-    def __init__(self, api: RestApi, opened: OpenedSession, encoding: CloudEncoding, resources: ExitStack) -> None:
+    def __init__(
+        self, api: RestApi, opened: OpenedSession, encoding: CloudEncoding, resources: ExitStack, recorder: Recorder
+    ) -> None:
         """Takes over what `resources` holds and closes it when the session is closed."""
         self._api = api
         self._opened = opened
         self._encoding = encoding
+        self._recorder = recorder
         self._inbox: Inbox[tracking.Message] = Inbox()
         self._departures: OrderedDict[int, float] = OrderedDict()
         self._lock = Lock()
@@ -112,7 +122,9 @@ class Session:
             self._departures[seq] = time.perf_counter()
             if len(self._departures) > REMEMBERED_FRAMES:
                 self._departures.popitem(last=False)
-            self._stream.put(payload, seq, time.time_ns() if stamp_ns is None else stamp_ns)
+            stamp_ns = time.time_ns() if stamp_ns is None else stamp_ns
+            self._recorder.frame(payload, self._encoding.media_type, seq, stamp_ns, np.reshape(points, (-1, 3)))
+            self._stream.put(payload, seq, stamp_ns)
         return seq
 
     def post(self, points: Cloud, stamp_ns: int | None = None) -> Result:
@@ -174,6 +186,7 @@ class Session:
     def reset(self, pose: Pose) -> None:
         """Start again from a given pose, e.g. after the track was lost."""
         self._api.reset(self.session_id, pose)
+        self._recorder.reset({"parts": parts_of(pose)})
 
     def close(self) -> None:
         """Close the session, here and in the service; once is enough, more does no harm."""
@@ -199,6 +212,7 @@ class Session:
     def _take_result(self, payload: bytes) -> None:
         arrived = time.perf_counter()
         result = parse_result(payload)
+        self._recorder.result(payload, result)
         departed = self._departures.pop(result.seq, None)
         if departed is not None:
             result = replace(result, round_trip_ms=1e3 * (arrived - departed))
@@ -206,4 +220,5 @@ class Session:
         self._inbox.put(result)
 
     def _take_event(self, payload: bytes) -> None:
+        self._recorder.event(payload)
         self._inbox.put(parse_event(payload))

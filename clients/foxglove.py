@@ -1,0 +1,119 @@
+"""Clouds, poses and boxes in Foxglove's well-known schemas, so that Foxglove and Rerun show them as they are."""
+
+import base64
+from typing import Any
+
+import numpy as np
+
+from captra.health import State
+from clients.results import PartPose, Result
+
+FLOAT32 = 7
+"""Number of the type in foxglove.PackedElementField."""
+
+COLOURS = {
+    State.TRACKING: (0.2, 0.8, 0.3, 0.4),
+    State.UNCERTAIN: (1.0, 0.7, 0.1, 0.4),
+    State.RECOVERING: (1.0, 0.7, 0.1, 0.4),
+    State.LOST: (0.9, 0.2, 0.2, 0.4),
+}
+"""Red, green, blue, alpha."""
+
+Schema = dict[str, Any]
+
+
+def record(**properties: Schema) -> Schema:
+    """JSON schema of an object."""
+    return {"type": "object", "properties": properties}
+
+
+def list_of(items: Schema) -> Schema:
+    """JSON schema of a list."""
+    return {"type": "array", "items": items}
+
+
+NUMBER, INTEGER, STRING = {"type": "number"}, {"type": "integer"}, {"type": "string"}
+BYTES = {"type": "string", "contentEncoding": "base64"}
+TIME = record(sec=INTEGER, nsec=INTEGER) | {"title": "time"}
+DURATION = record(sec=INTEGER, nsec=INTEGER) | {"title": "duration"}
+VECTOR3 = record(x=NUMBER, y=NUMBER, z=NUMBER)
+QUATERNION = record(x=NUMBER, y=NUMBER, z=NUMBER, w=NUMBER)
+POSE = record(position=VECTOR3, orientation=QUATERNION)
+COLOUR = record(r=NUMBER, g=NUMBER, b=NUMBER, a=NUMBER)
+FIELD = record(name=STRING, offset=INTEGER, type=INTEGER)
+CUBE = record(pose=POSE, size=VECTOR3, color=COLOUR)
+ENTITY = record(
+    timestamp=TIME, frame_id=STRING, id=STRING, lifetime=DURATION, frame_locked={"type": "boolean"}, cubes=list_of(CUBE)
+)
+TRANSFORM = record(
+    timestamp=TIME, parent_frame_id=STRING, child_frame_id=STRING, translation=VECTOR3, rotation=QUATERNION
+)
+
+SCHEMAS: dict[str, Schema] = {
+    "foxglove.PointCloud": record(
+        timestamp=TIME, frame_id=STRING, pose=POSE, point_stride=INTEGER, fields=list_of(FIELD), data=BYTES
+    )
+    | {"title": "foxglove.PointCloud"},
+    "foxglove.FrameTransforms": record(transforms=list_of(TRANSFORM)) | {"title": "foxglove.FrameTransforms"},
+    "foxglove.SceneUpdate": record(deletions=list_of(record()), entities=list_of(ENTITY))
+    | {"title": "foxglove.SceneUpdate"},
+}
+"""By the names under which viewers know them."""
+
+
+def time_of(stamp_ns: int) -> dict[str, int]:
+    """Nanoseconds as seconds and nanoseconds."""
+    sec, nsec = divmod(stamp_ns, 1_000_000_000)
+    return {"sec": sec, "nsec": nsec}
+
+
+def xyz(values: tuple[float, ...]) -> dict[str, float]:
+    """A vector, or with a fourth value a quaternion in the order x, y, z, w."""
+    return dict(zip("xyzw", values, strict=False))
+
+
+def point_cloud(points: np.ndarray, stamp_ns: int, frame_id: str) -> dict[str, Any]:
+    """foxglove.PointCloud of points (N, 3), metres."""
+    return {
+        "timestamp": time_of(stamp_ns),
+        "frame_id": frame_id,
+        "pose": {"position": xyz((0.0, 0.0, 0.0)), "orientation": xyz((0.0, 0.0, 0.0, 1.0))},
+        "point_stride": 12,
+        "fields": [{"name": name, "offset": 4 * i, "type": FLOAT32} for i, name in enumerate("xyz")],
+        "data": base64.b64encode(points.astype("<f4").tobytes()).decode(),
+    }
+
+
+def transforms(result: Result) -> dict[str, Any]:
+    """foxglove.FrameTransforms: one child frame a part."""
+    return {
+        "transforms": [
+            {
+                "timestamp": time_of(result.stamp_ns),
+                "parent_frame_id": result.frame_id,
+                "child_frame_id": part.name,
+                "translation": xyz(part.translation),
+                "rotation": xyz(part.quat_xyzw),
+            }
+            for part in result.parts
+        ]
+    }
+
+
+def boxes(result: Result) -> dict[str, Any]:
+    """foxglove.SceneUpdate: a box a part, in the colour of the state."""
+    colour = dict(zip("rgba", COLOURS[result.state], strict=True))
+
+    def cube(part: PartPose) -> dict[str, Any]:
+        pose = {"position": xyz(part.translation), "orientation": xyz(part.quat_xyzw)}
+        return {"pose": pose, "size": xyz(part.size), "color": colour}
+
+    entity = {
+        "timestamp": time_of(result.stamp_ns),
+        "frame_id": result.frame_id,
+        "id": result.session_id,
+        "lifetime": time_of(0),
+        "frame_locked": False,
+        "cubes": [cube(part) for part in result.parts],
+    }
+    return {"deletions": [], "entities": [entity]}

@@ -1,0 +1,116 @@
+"""Writes a session into an MCAP file: what went to the service, what came back, and the same for Foxglove and Rerun."""
+
+import base64
+import threading
+import time
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import orjson
+from mcap.writer import Writer
+
+from clients.foxglove import SCHEMAS, boxes, point_cloud, transforms
+from clients.results import Result
+
+SESSION, FRAME, RESULT, EVENT, RESET = "captra.Session", "captra.Frame", "captra.Result", "captra.Event", "captra.Reset"
+"""Messages of our own, as JSON: what a replay needs."""
+TOPICS = {
+    SESSION: "/captra/session",
+    FRAME: "/captra/frames",
+    RESULT: "/captra/results",
+    EVENT: "/captra/events",
+    RESET: "/captra/resets",
+    "foxglove.PointCloud": "/cloud",
+    "foxglove.FrameTransforms": "/tf",
+    "foxglove.SceneUpdate": "/boxes",
+}
+DEFAULT_FRAME_ID = "camera"
+"""What the service calls the frame of a session that names none."""
+ANY_OBJECT = {"type": "object"}
+
+
+class McapRecorder:
+    """One file of one session; its methods may be called from any thread. Close it, or the file has no index."""
+
+    def __init__(self, path: Path) -> None:
+        self._file = path.open("wb")
+        self._writer = Writer(self._file)
+        self._writer.start(profile="", library="captra")
+        self._channels: dict[str, int] = {}
+        for name, topic in TOPICS.items():
+            schema = self._writer.register_schema(name, "jsonschema", orjson.dumps(SCHEMAS.get(name, ANY_OBJECT)))
+            self._channels[name] = self._writer.register_channel(topic, "json", schema)
+        self._lock = threading.Lock()
+        self._closed = False
+        self._frame_id = DEFAULT_FRAME_ID
+
+    def session(self, body: Mapping[str, Any]) -> None:
+        """The body of the POST that opened the session."""
+        self._frame_id = str(body.get("frame_id", DEFAULT_FRAME_ID))
+        self._write(SESSION, orjson.dumps(body))
+
+    def frame(self, payload: bytes, encoding: str, seq: int, stamp_ns: int, points: np.ndarray) -> None:
+        """A frame as it was sent; `points` (N, 3), metres, are what it shows."""
+        body = {"seq": seq, "stamp_ns": stamp_ns, "encoding": encoding, "payload": base64.b64encode(payload).decode()}
+        self._write(FRAME, orjson.dumps(body))
+        self._write("foxglove.PointCloud", orjson.dumps(point_cloud(points, stamp_ns, self._frame_id)))
+
+    def result(self, payload: bytes, result: Result) -> None:
+        """A result as it came, byte for byte."""
+        self._write(RESULT, payload)
+        self._write("foxglove.FrameTransforms", orjson.dumps(transforms(result)))
+        self._write("foxglove.SceneUpdate", orjson.dumps(boxes(result)))
+
+    def event(self, payload: bytes) -> None:
+        """An event as it came."""
+        self._write(EVENT, payload)
+
+    def reset(self, body: Mapping[str, Any]) -> None:
+        """The body of a PUT that started the track again."""
+        self._write(RESET, orjson.dumps(body))
+
+    def close(self) -> None:
+        """Write the index; what comes later is not recorded."""
+        with self._lock:
+            if not self._closed:
+                self._closed = True
+                self._writer.finish()  # type: ignore[no-untyped-call]
+                self._file.close()
+
+    def _write(self, name: str, data: bytes) -> None:
+        now_ns = time.time_ns()
+        with self._lock:
+            if not self._closed:
+                self._writer.add_message(self._channels[name], now_ns, data, now_ns)
+
+
+class NullRecorder:
+    """Records nothing."""
+
+    def session(self, body: Mapping[str, Any]) -> None:
+        """Nothing to do."""
+
+    def frame(self, payload: bytes, encoding: str, seq: int, stamp_ns: int, points: np.ndarray) -> None:
+        """Nothing to do."""
+
+    def result(self, payload: bytes, result: Result) -> None:
+        """Nothing to do."""
+
+    def event(self, payload: bytes) -> None:
+        """Nothing to do."""
+
+    def reset(self, body: Mapping[str, Any]) -> None:
+        """Nothing to do."""
+
+    def close(self) -> None:
+        """Nothing to do."""
+
+
+Recorder = McapRecorder | NullRecorder
+
+
+def recorder_for(path: Path | str | None) -> Recorder:
+    """A recorder into a file, or one that records nothing."""
+    return NullRecorder() if path is None else McapRecorder(Path(path))
