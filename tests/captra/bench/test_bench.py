@@ -2,22 +2,8 @@ import numpy as np
 import pytest
 
 from captra.bench.machine import this_machine
-from captra.bench.streams import Percentiles, run_streams
+from captra.bench.runs import BenchRun, Percentiles
 from captra.bench.table import table
-from tests.captra.evaluation.test_evaluation import still_recording
-from tests.oracle import OracleNetworks
-
-
-def test_every_frame_of_every_stream_is_timed() -> None:
-    recording = still_recording("can")
-    truth = recording.truth(0)
-    run = run_streams(OracleNetworks(recording.category, truth, truth), recording, "none", streams=2, frames=6)
-    assert (run.frames, run.streams, run.category, run.profile) == (12, 2, "can", "realtime")
-    assert run.fps > 0
-    assert 0 < run.total.p50 <= run.total.p95 <= run.total.p99
-    assert run.total.p50 >= run.sample.p50
-    assert 0 < run.slowest_stream_share <= 1
-    assert table([run], 12.66).row_count == 1
 
 
 def test_percentiles_of_a_ramp() -> None:
@@ -25,6 +11,14 @@ def test_percentiles_of_a_ramp() -> None:
     assert (found.p50, found.p95, found.p99) == (50, 95, 99)
     with pytest.raises(ValueError, match="nothing"):
         Percentiles.of([])
+
+
+def test_a_run_is_a_row() -> None:
+    stage = Percentiles(1.0, 2.0, 3.0)
+    run = BenchRun("mug", "paper", "cpu", 1, 10, 25.32, 1.0, stage, stage, stage, stage, stage, 0.1, 0.2, 40, 500, 3)
+    rows = table([run], 12.66)
+    assert rows.row_count == 1
+    assert "2.00" in [cell for column in rows.columns for cell in column.cells]
 
 
 def test_the_machine_is_named() -> None:

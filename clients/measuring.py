@@ -1,0 +1,123 @@
+"""Streams recordings through a service of one's own and collects what it says of its time."""
+
+import os
+import time
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+import httpx
+import numpy as np
+
+from captra.bench.runs import BenchRun, Percentiles
+from captra.data.recordings import Recording
+from clients.results import Result
+from clients.service_process import ServiceProcess
+from clients.session import open_session
+
+WARM_UP_FRAMES = 5
+
+
+@dataclass(frozen=True)
+class Load:
+    """What a service is given to do."""
+
+    recording: Recording
+    """Played from its start again and again."""
+    streams: int
+    """Sessions at the same time."""
+    frames: int
+    """Timed, of each session."""
+
+
+@dataclass(frozen=True)
+class Stream:
+    """What came back in one session."""
+
+    results: Sequence[Result]
+    """In order."""
+    done_s: Sequence[float]
+    """When each arrived, on the clock of `time.perf_counter`."""
+
+
+def measure(models: Path, profile: str, provider: str, loads: Sequence[Load]) -> list[BenchRun]:
+    """Start a service and put one load after the other on it.
+
+    Raises:
+        ServiceUnreachableError: it does not start, or stops.
+    """
+    started_s = time.perf_counter()
+    settings = {"CAPTRA_MODELS_DIR": str(models), "CAPTRA_PROFILE": profile, "CAPTRA_PROVIDER": provider}
+    with ServiceProcess(settings) as service:
+        ready_s = time.perf_counter() - started_s
+        return [measure_load(service, profile, provider, load, ready_s) for load in loads]
+
+
+def measure_load(service: ServiceProcess, profile: str, provider: str, load: Load, ready_s: float) -> BenchRun:
+    """Every frame is sent when the answer to the one before it is there."""
+    with ThreadPoolExecutor(load.streams) as pool:
+        list(pool.map(lambda _: follow(service.url, load.recording, WARM_UP_FRAMES), range(load.streams)))
+        before, cpu_s, started_s = stage_sums(service.url), cpu_seconds(service.pid), time.perf_counter()
+        measured = list(pool.map(lambda _: follow(service.url, load.recording, load.frames), range(load.streams)))
+        elapsed_s, cpu_s = time.perf_counter() - started_s, cpu_seconds(service.pid) - cpu_s
+        after = stage_sums(service.url)
+    timings = [result.timing_ms for stream in measured for result in stream.results]
+    first_done_s = min(stream.done_s[-1] for stream in measured)
+    done = [int(np.searchsorted(stream.done_s, first_done_s, side="right")) for stream in measured]
+    return BenchRun(
+        category=load.recording.category.name,
+        profile=profile,
+        provider=provider,
+        streams=load.streams,
+        frames=len(timings),
+        fps=len(timings) / elapsed_s,
+        slowest_stream_share=float(min(done) / np.mean(done)),
+        total=Percentiles.of([timing.total for timing in timings]),
+        queue=Percentiles.of([timing.queue for timing in timings]),
+        sample=Percentiles.of([timing.sample for timing in timings]),
+        networks=Percentiles.of([timing.infer for timing in timings]),
+        fit=Percentiles.of([timing.solve for timing in timings]),
+        decode_mean_ms=1e3 * (after["decode"] - before["decode"]) / len(timings),
+        publish_mean_ms=1e3 * (after["publish"] - before["publish"]) / len(timings),
+        cpu_ms_per_frame=1e3 * cpu_s / len(timings),
+        resident_mib=resident_mib(service.pid),
+        ready_s=ready_s,
+    )
+
+
+def follow(url: str, recording: Recording, frames: int) -> Stream:
+    """A session of its own for so many frames."""
+    results, done_s = [], []
+    with open_session(recording.category.name, recording.init, url=url) as session:
+        while len(results) < frames:
+            for result in session.track(recording.clouds[: frames - len(results)]):
+                results.append(result)
+                done_s.append(time.perf_counter())
+            session.reset(recording.init)
+    return Stream(results, done_s)
+
+
+def stage_sums(url: str) -> dict[str, float]:
+    """Seconds that each stage has taken so far, from the service's metrics; 0 for those that never ran."""
+    return {"decode": 0.0, "publish": 0.0} | dict(_sums(httpx.get(f"{url}/metrics").raise_for_status().text))
+
+
+def _sums(metrics: str) -> Iterator[tuple[str, float]]:
+    prefix = 'captra_stage_seconds_sum{stage="'
+    for line in metrics.splitlines():
+        if line.startswith(prefix):
+            stage, _, value = line.removeprefix(prefix).partition('"} ')
+            yield stage, float(value)
+
+
+def cpu_seconds(pid: int) -> float:
+    """User and system time that a process has used."""
+    fields = Path(f"/proc/{pid}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def resident_mib(pid: int) -> float:
+    """Memory that a process holds."""
+    pages = int(Path(f"/proc/{pid}/statm").read_text(encoding="utf-8").split()[1])
+    return pages * os.sysconf("SC_PAGE_SIZE") / 2**20
