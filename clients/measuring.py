@@ -88,7 +88,7 @@ def measure_load(service: ServiceProcess, profile: str, provider: str, load: Loa
 
 def follow(url: str, recording: Recording, frames: int) -> Stream:
     """A session of its own for so many frames."""
-    results, done_s = [], []
+    results, done_s = list[Result](), list[float]()
     with open_session(recording.category.name, recording.init, url=url) as session:
         while len(results) < frames:
             for result in session.track(recording.clouds[: frames - len(results)]):
