@@ -17,6 +17,7 @@ from clients.service_process import ServiceProcess
 from clients.session import open_session
 
 WARM_UP_FRAMES = 5
+PATIENCE_S = 60.0
 
 
 @dataclass(frozen=True)
@@ -91,7 +92,7 @@ def follow(url: str, recording: Recording, frames: int) -> Stream:
     results, done_s = list[Result](), list[float]()
     with open_session(recording.category.name, recording.init, url=url) as session:
         while len(results) < frames:
-            for result in session.track(recording.clouds[: frames - len(results)]):
+            for result in session.track(recording.clouds[: frames - len(results)], timeout_s=PATIENCE_S):
                 results.append(result)
                 done_s.append(time.perf_counter())
             session.reset(recording.init)
