@@ -7,6 +7,8 @@ from typing import Annotated
 import typer
 
 DEFAULT_FOLDER = Path(".campaign")
+FURTHER_LEARNING_RATE = 4e-4
+"""Weights that were trained to the end are not shaken up again."""
 
 
 def train(
@@ -22,6 +24,10 @@ def train(
     start_from: Annotated[
         Path | None,
         typer.Option(help="Folder with coordinate.pt and rotation.pt to start from; its name is their category."),
+    ] = None,
+    learning_rate: Annotated[
+        float | None,
+        typer.Option(help="Of Adam at the start; by default 1e-3, or 4e-4 from weights of the same category."),
     ] = None,
     threads: Annotated[int, typer.Option(help="CPU threads.")] = 1,
     seed: Annotated[int, typer.Option(help="Of weights, views and perturbations.")] = 1,
@@ -72,7 +78,9 @@ def train(
         )
         raise typer.Exit(2)
     state = folder / "runs" / category / run
-    trainer = Trainer(chosen, views, Plan(samples=samples, seed=seed), state, provenance(where))
+    further = start_from is not None and start_from.name == category
+    rate = learning_rate or (FURTHER_LEARNING_RATE if further else Plan.learning_rate)
+    trainer = Trainer(chosen, views, Plan(samples=samples, seed=seed, learning_rate=rate), state, provenance(where))
     if start_from is not None and trainer.progress.samples == 0:
         trainer.start_from(get_category(start_from.name), start_from)
     columns = (
