@@ -195,7 +195,7 @@ class Trainer:
             "seed": self.plan.seed,
             "views": len(self.views),
             "input_sampling": asdict(self.plan.density),
-            "rotation_fusion": rotation_fusion_for(self._mix),
+            "rotation_fusion": rotation_fusion_for(self.category),
             **self._provenance,
         }
         save_checkpoint(self.folder / "coordinate.pt", self.coordinate.averaged, training)

@@ -1,8 +1,9 @@
 import numpy as np
 
-from captra.categories import get_category
+from captra.categories import CATEGORIES, get_category
 from captra.geometry import Pose, rotation_angle
-from captra.learn.perturbation import PerturbationMix, perturb_for_training
+from captra.learn.perturbation import PerturbationMix, perturb_for_training, rotation_fusion_for
+from captra.rotation_fusion import ROTATION_FUSIONS
 
 
 def truth_of(parts: int) -> Pose:
@@ -24,3 +25,10 @@ def test_a_bottle_is_turned_freely_about_its_axis_but_hardly_tilted() -> None:
     poses = [perturb_for_training(truth_of(1), bottle, mix, rng) for _ in range(300)]
     assert np.degrees([rotation_angle(pose.rotation[0]) for pose in poses]).max() > 150
     assert np.degrees([np.arccos(np.clip(pose.rotation[0, 1, 1], -1, 1)) for pose in poses]).max() < 70
+
+
+def test_every_category_is_tracked_by_a_fusion_that_exists() -> None:
+    chosen = {name: rotation_fusion_for(category) for name, category in CATEGORIES.items()}
+    assert set(chosen.values()) <= set(ROTATION_FUSIONS)
+    assert chosen["bottle"] == "rotation-net"
+    assert chosen["drawers"] == "mean"
