@@ -54,6 +54,8 @@ def test_openvino_gets_threads_and_precision(flags: str, hint: str, arithmetic: 
     assert provider.arithmetic == arithmetic
     assert config["INFERENCE_PRECISION_HINT"] == hint
     assert config["INFERENCE_NUM_THREADS"] == "3"
+    assert config["NUM_STREAMS"] == "1"
+    assert config["ENABLE_CPU_PINNING"] == "NO"
 
 
 @pytest.mark.parametrize(("name", "extra"), [("openvino", "openvino"), ("cuda", "gpu")])
