@@ -91,6 +91,21 @@ def rotation_angle(rotation: Float[Array, "*batch 3 3"]) -> Float64[Array, "*bat
     return np.asarray(np.arctan2(sine, np.trace(r, axis1=-2, axis2=-1) - 1))
 
 
+def rotation_vector(rotation: Float[Array, "*batch 3 3"]) -> Float64[Array, "*batch 3"]:
+    """Axis times angle, radians, of rotations whose angle is well below π: the inverse of `axis_angle`."""
+    r = np.asarray(rotation, np.float64)
+    vector = np.stack([r[..., 2, 1] - r[..., 1, 2], r[..., 0, 2] - r[..., 2, 0], r[..., 1, 0] - r[..., 0, 1]], axis=-1)
+    sine = np.linalg.norm(vector, axis=-1, keepdims=True)
+    return np.asarray(np.where(sine > 1e-9, rotation_angle(r)[..., None] / np.maximum(sine, 1e-9), 0.5) * vector)
+
+
+def rotation_from_vector(vector: Float[Array, "*batch 3"]) -> Float64[Array, "*batch 3 3"]:
+    """Rotation by the length of each vector, radians, about its direction; identity for zero."""
+    v = np.asarray(vector, np.float64)
+    angle = np.linalg.norm(v, axis=-1)
+    return axis_angle(np.where(angle[..., None] > 0, v, [1.0, 0.0, 0.0]), angle)
+
+
 def is_rotation(matrix: Float[Array, "*batch 3 3"], tolerance: float = 1e-3) -> bool:
     """Whether every matrix is finite, orthonormal within `tolerance` and right-handed."""
     m = np.asarray(matrix, np.float64)

@@ -3,12 +3,13 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-from jaxtyping import Float32, Float64, Int
+from jaxtyping import Bool, Float32, Float64, Int
 
 from captra import fitting
 from captra.categories import Category
+from captra.evidence import Evidence, PartEvidence, inside_box, shape_jump
 from captra.geometry import Pose, rotation_angle, rotation_from_6d, rotation_from_axis
-from captra.health import Evidence, PartEvidence
+from captra.joint_projection import UNPROJECTED, JointProjection
 from captra.rotation_fusion import ROTATION_NET_ALONE, RotationFusion
 
 FEWEST_POINTS = 4
@@ -38,21 +39,10 @@ class Prediction:
     delta_rotations: Float64[np.ndarray, "parts rotated_points 3 3"]
     """Residual rotation of every part, as each of the first points sees it; these cover the whole cloud."""
 
-
-@dataclass(frozen=True)
-class PartFit:
-    """One part's new similarity and box."""
-
-    rotation: Float64[np.ndarray, "3 3"]
-    """R_camera_part."""
-    scale: float
-    """Metres."""
-    translation: Float64[np.ndarray, "3"]
-    """Metres."""
-    size: Float64[np.ndarray, "3"]
-    """Metres."""
-    evidence: PartEvidence
-    """How well it fits."""
+    def of_part(self, part: int, mask: Bool[np.ndarray, " points"]) -> Float64[np.ndarray, "own 3 3"]:
+        """The residual rotations that the points of a part see."""
+        seen = self.delta_rotations[part]
+        return np.asarray(seen[mask[: len(seen)]])
 
 
 def per_point_rotations(
@@ -69,29 +59,114 @@ def residual_rotation(rotations: Float64[np.ndarray, "points 3 3"], category: Ca
     return fitting.mean_axis_rotation(rotations) if category.symmetric else fitting.mean_rotation(rotations)
 
 
+@dataclass(frozen=True)
+class PartRotation:
+    """What both networks say of one part's rotation."""
+
+    rotation: Float64[np.ndarray, "3 3"]
+    """R_camera_part to go on with."""
+    aligned: Float64[np.ndarray, "points 3"] | None
+    """The part's coordinates in the gauge of the rotation; none for a part that cannot be fitted."""
+    disagreement_rad: float
+    """Angle between RotationNet's rotation and that of the full Umeyama fit."""
+
+
 def solve(
     points: Float32[np.ndarray, "points 3"],
     prediction: Prediction,
     last: Pose,
     category: Category,
     fusion: RotationFusion = ROTATION_NET_ALONE,
+    projection: JointProjection = UNPROJECTED,
 ) -> tuple[Pose, Evidence]:
-    """Rotations first, then scale and translation in closed form, part by part."""
-    fits = []
-    for part in range(category.num_parts):
-        mask = prediction.labels == part
-        seen = prediction.delta_rotations[part]
-        delta = residual_rotation(seen[mask[: len(seen)]], category)
-        fit = fit_part(points[mask], prediction.coordinates[part, mask], delta, last.part(part), category, fusion)
-        fits.append(fit)
-    pose = Pose(
-        rotation=np.stack([fit.rotation for fit in fits]),
-        translation=np.stack([fit.translation for fit in fits]),
-        scale=np.array([fit.scale for fit in fits]),
-        size=np.stack([fit.size for fit in fits]),
-    )
+    """Rotations first, then scale and translation in closed form, part by part; `last` is the pose looked around."""
+    masks = [prediction.labels == part for part in range(category.num_parts)]
+    found = [
+        fit_rotation(points[mask], prediction, part, mask, last, category, fusion) for part, mask in enumerate(masks)
+    ]
+    rotations = projection(np.stack([one.rotation for one in found]), category)
+    fits = [
+        fit_part(points, prediction, part, mask, replace(one, rotation=rotation), last.part(part), category)
+        for part, (mask, one, rotation) in enumerate(zip(masks, found, rotations, strict=True))
+    ]
+    translation, scale, size, parts = zip(*fits, strict=True)
+    pose = Pose(rotations, np.stack(translation), np.array(scale), np.stack(size))
     foreground = prediction.segmentation[: category.num_parts].sum(axis=0)
-    return pose, Evidence(tuple(fit.evidence for fit in fits), float(foreground.mean()))
+    return pose, Evidence(parts, float(foreground.mean()), len(points))
+
+
+def fit_rotation(
+    points: Float32[np.ndarray, "own 3"],
+    prediction: Prediction,
+    part: int,
+    mask: Bool[np.ndarray, " points"],
+    last: Pose,
+    category: Category,
+    fusion: RotationFusion,
+) -> PartRotation:
+    """One part's rotation from RotationNet and from its coordinates; `points` are those labelled as the part."""
+    delta = residual_rotation(prediction.of_part(part, mask), category)
+    from_rotation_net = last.rotation[part] @ delta
+    aligned = prediction.coordinates[part, mask].astype(np.float64)
+    if len(points) < FEWEST_POINTS or not np.isfinite(aligned).all():
+        return PartRotation(from_rotation_net, None, np.pi)
+    if category.symmetric:
+        aligned = aligned @ fitting.symmetric_alignment(aligned, points @ from_rotation_net).T
+    from_coordinates = fitting.umeyama(aligned, points).rotation
+    disagreement = _disagreement(from_coordinates, from_rotation_net, category)
+    return PartRotation(fusion(from_rotation_net, from_coordinates), aligned, disagreement)
+
+
+def fit_part(
+    points: Float32[np.ndarray, "points 3"],
+    prediction: Prediction,
+    part: int,
+    mask: Bool[np.ndarray, " points"],
+    found: PartRotation,
+    last: Pose,
+    category: Category,
+) -> tuple[Float64[np.ndarray, "3"], float, Float64[np.ndarray, "3"], PartEvidence]:
+    """Translation, scale and size of one part, metres, given its rotation; `last` holds that part alone.
+
+    A part with three or fewer points, or without a finite positive scale, keeps its last scale and translation.
+    """
+    own = points[mask]
+    kept = (last.translation[0], float(last.scale[0]), last.size[0])
+    missing = PartEvidence.missing(len(own), last.translation[0])
+    if found.aligned is None:
+        return *kept, missing
+    rotated = found.aligned @ found.rotation.T
+    scale, translation = fitting.scale_and_translation(rotated, own)
+    if not np.isfinite(scale) or scale <= 0:
+        return *kept, missing
+    size = scale * 2 * np.abs(prediction.coordinates[part, mask]).max(axis=0)
+    residuals = np.linalg.norm(scale * rotated + translation - own, axis=-1) / scale
+    boxed = inside_box(points, last)
+    evidence = PartEvidence(
+        points=len(own),
+        centroid=own.mean(axis=0, dtype=np.float64),
+        residual=float(np.sqrt(np.mean(residuals**2))),
+        inliers=float(np.mean(residuals < INLIER_RESIDUAL)),
+        disagreement_rad=found.disagreement_rad,
+        rotation_jump_rad=_disagreement(found.rotation, last.rotation[0], category),
+        translation_jump=float(np.linalg.norm(translation - last.translation[0]) / last.scale[0]),
+        scale_jump=float(abs(np.log(scale / last.scale[0]))),
+        spread=rotation_spread(prediction.of_part(part, mask), category),
+        shape_jump=shape_jump(size, last.size[0]),
+        share=len(own) / len(points),
+        filled=float(np.mean(mask[boxed])) if boxed.any() else 0.0,
+        certainty=float(prediction.segmentation[part, mask].mean()),
+    )
+    return translation, scale, size, evidence
+
+
+def rotation_spread(rotations: Float64[np.ndarray, "points 3 3"], category: Category) -> float:
+    """One minus the length of the mean: of the y axes for symmetric objects, else of the matrices over √3."""
+    if len(rotations) == 0 or not np.isfinite(rotations).all():
+        return 1.0
+    if category.symmetric:
+        return float(1 - np.linalg.norm(rotations[:, :, 1].mean(axis=0)))
+    return float(1 - np.linalg.norm(rotations.mean(axis=0)) / np.sqrt(3))
 
 
 def reject_leaps(pose: Pose, last: Pose) -> Pose:
@@ -113,47 +188,6 @@ def hold_gauge(pose: Pose, last: Pose, category: Category) -> Pose:
         return pose
     held = [fitting.closest_gauge(new, old) for new, old in zip(pose.rotation, last.rotation, strict=True)]
     return replace(pose, rotation=np.stack(held))
-
-
-def fit_part(
-    points: Float32[np.ndarray, "points 3"],
-    coordinates: Float32[np.ndarray, "points 3"],
-    delta: Float64[np.ndarray, "3 3"],
-    last: Pose,
-    category: Category,
-    fusion: RotationFusion,
-) -> PartFit:
-    """Scale and translation of one part given RotationNet's residual rotation; `last` holds that part alone.
-
-    A part with three or fewer points, or without a finite positive scale, keeps its last scale and translation.
-    """
-    from_rotation_net = last.rotation[0] @ delta
-    missing = PartEvidence.missing(len(points), last.translation[0])
-    kept = PartFit(from_rotation_net, float(last.scale[0]), last.translation[0], last.size[0], missing)
-    if len(points) < FEWEST_POINTS or not np.isfinite(coordinates).all():
-        return kept
-    aligned = np.asarray(coordinates, np.float64)
-    if category.symmetric:
-        aligned = aligned @ fitting.symmetric_alignment(aligned, points @ from_rotation_net).T
-    from_coordinates = fitting.umeyama(aligned, points).rotation
-    rotation = fusion(from_rotation_net, from_coordinates)
-    rotated = aligned @ rotation.T
-    scale, translation = fitting.scale_and_translation(rotated, points)
-    if not np.isfinite(scale) or scale <= 0:
-        return kept
-    size = scale * 2 * np.abs(coordinates).max(axis=0)
-    residuals = np.linalg.norm(scale * rotated + translation - points, axis=-1) / scale
-    evidence = PartEvidence(
-        points=len(points),
-        centroid=points.mean(axis=0, dtype=np.float64),
-        residual=float(np.sqrt(np.mean(residuals**2))),
-        inliers=float(np.mean(residuals < INLIER_RESIDUAL)),
-        disagreement_rad=_disagreement(from_coordinates, from_rotation_net, category),
-        rotation_jump_rad=_disagreement(rotation, last.rotation[0], category),
-        translation_jump=float(np.linalg.norm(translation - last.translation[0]) / last.scale[0]),
-        scale_jump=float(abs(np.log(scale / last.scale[0]))),
-    )
-    return PartFit(rotation, scale, translation, size, evidence)
 
 
 def _disagreement(a: Float64[np.ndarray, "3 3"], b: Float64[np.ndarray, "3 3"], category: Category) -> float:

@@ -1,68 +1,25 @@
 """One step of the method: the last pose and a new cloud in, the new pose of every part out (paper, Fig. "pipeline")."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from time import perf_counter
-from typing import Protocol
+from dataclasses import dataclass, replace
 
 import numpy as np
-from jaxtyping import Float, Float32, UInt8
+from jaxtyping import Float
 
-from captra import sampling
-from captra.canonical import canonicalize
-from captra.categories import Category
+from captra.evidence import Evidence
 from captra.geometry import Pose
-from captra.health import Evidence, HealthMonitor, State
+from captra.health import HealthMonitor, State
+from captra.joint_projection import UNPROJECTED, JointProjection
 from captra.joints import JointValue, joint_values
-from captra.observations import Crop, Observation, PointCloud
-from captra.rotation_fusion import RotationFusion
-from captra.sampling import InputSampling, Neighborhoods, Profile, part_neighborhoods
-from captra.segmentation import NOTHING_KNOWN, Segmentation, overrule, without_background
-from captra.side_by_side import side_by_side
+from captra.looking import Networks, Sighting, StepTiming, look
+from captra.motion import STANDING_STILL, MotionModel
+from captra.observations import Observation, PointCloud
+from captra.output_filter import UNFILTERED, OutputFilter
+from captra.recovery import NO_SEARCH, Search, SearchBudget
+from captra.sampling import NoPointsError
+from captra.segmentation import NOTHING_KNOWN, Segmentation
 from captra.size_memory import GIVEN_WEIGHT_FRAMES, SizeMemory
-from captra.solving import Prediction, hold_gauge, per_point_rotations, reject_leaps, solve
-
-
-class Networks(Protocol):
-    """CoordinateNet and RotationNet of one category, in whatever framework."""
-
-    @property
-    def category(self) -> Category:
-        """What the networks were trained on."""
-
-    @property
-    def profile(self) -> Profile:
-        """Shapes of the inputs."""
-
-    @property
-    def input_sampling(self) -> InputSampling:
-        """How the points were drawn in training."""
-
-    @property
-    def rotation_fusion(self) -> RotationFusion:
-        """Whose word counts for rotations."""
-
-    def coordinates(
-        self, points_canonical: Float32[np.ndarray, "points 3"], neighborhoods: Neighborhoods
-    ) -> tuple[Float32[np.ndarray, "classes points"], Float32[np.ndarray, "parts points 3"]]:
-        """Class probabilities, and coordinates in [-0.5, 0.5] in each part's frame, from the root's canonical cloud."""
-
-    def rotations(
-        self, points_canonical: Float32[np.ndarray, "parts points 3"], neighborhoods: Sequence[Neighborhoods]
-    ) -> Float32[np.ndarray, "parts rotated_points width"]:
-        """Raw residual rotations of the first points: width 6, or 3 for symmetric objects; part j from cloud j."""
-
-
-@dataclass(frozen=True)
-class StepTiming:
-    """Where the time of one step went, milliseconds."""
-
-    sample_ms: float
-    """Crop, farthest points, canonicalization, neighbourhoods."""
-    infer_ms: float
-    """Both networks."""
-    solve_ms: float
-    """Fits and health."""
+from captra.solving import hold_gauge
 
 
 @dataclass(frozen=True)
@@ -83,6 +40,22 @@ class TrackResult:
     """Milliseconds per stage."""
 
 
+@dataclass(frozen=True)
+class TrackerOptions:
+    """What a track may do beyond the paper's method; each has a null object, which is the default."""
+
+    motion: MotionModel = STANDING_STILL
+    """Where to look next, while the track holds."""
+    search: SearchBudget = NO_SEARCH
+    """How many looks a frame may take while the track does not hold."""
+    projection: JointProjection = UNPROJECTED
+    """What joints allow."""
+    output_filter: OutputFilter = UNFILTERED
+    """Smooths what is published; never fed back."""
+    given_weight_frames: float = GIVEN_WEIGHT_FRAMES
+    """Frames that the size of a given pose is worth."""
+
+
 class Tracker:
     """Follows one object; not thread-safe: one tracker belongs to one stream."""
 
@@ -91,10 +64,10 @@ class Tracker:
         networks: Networks,
         pose: Pose,
         health: HealthMonitor | None = None,
-        given_weight_frames: float = GIVEN_WEIGHT_FRAMES,
+        options: TrackerOptions | None = None,
     ) -> None:
         self._networks = networks
-        self._given_weight_frames = given_weight_frames
+        self._options = options or TrackerOptions()
         self._category = networks.category
         self._health = health or HealthMonitor()
         self.reset(pose)
@@ -103,6 +76,11 @@ class Tracker:
     def pose(self) -> Pose:
         """The last pose."""
         return self._pose
+
+    @property
+    def health(self) -> HealthMonitor:
+        """State and confidence after the last frame."""
+        return self._health
 
     def reset(self, pose: Pose) -> None:
         """Start again from `pose`.
@@ -116,89 +94,73 @@ class Tracker:
                 f"but the pose has {pose.num_parts}"
             )
         self._pose = pose
-        self._size = SizeMemory.of(pose, self._given_weight_frames)
+        self._size = SizeMemory.of(pose, self._options.given_weight_frames)
         self._health = self._health.restarted()
+        self._motion = self._options.motion.restarted(pose)
+        self._search = Search(pose)
+        self._filter = self._options.output_filter.restarted()
 
     def displace(self, pose: Pose) -> None:
         """Take `pose` for where the object was last, without forgetting its size or the track's health."""
         self._pose = pose
+        self._motion = self._options.motion.restarted(pose)
 
     def step(
-        self, observed: Observation | Float[np.ndarray, "all 3"], segmentation: Segmentation = NOTHING_KNOWN
+        self,
+        observed: Observation | Float[np.ndarray, "all 3"],
+        segmentation: Segmentation = NOTHING_KNOWN,
+        time_s: float | None = None,
     ) -> TrackResult:
         """Find the object in what a sensor saw, given where it was.
 
         Args:
             observed: a cloud as an array, metres, or any other observation.
             segmentation: what is known beforehand of which points belong to the object; it overrules CoordinateNet.
+            time_s: when it was seen, seconds since anything; without it frames count as equally far apart.
 
         Raises:
-            NoPointsError: nothing was seen near the object; the tracker stays as it was.
+            NoPointsError: nothing was seen near the object; the pose stays as it was.
         """
-        last, started = self._pose, perf_counter()
-        networks = self._networks
         observation = PointCloud.of(observed) if isinstance(observed, np.ndarray) else observed
-        crop = choose_points(
-            observation, last, self._category, networks.profile.points, networks.input_sampling, segmentation
-        )
-        points, labels = crop.points, segmentation.labels(crop.indices)
-        points_canonical = canonicalize(points, last)
-        neighborhoods = part_neighborhoods(points_canonical, networks.profile)
-        sampled = perf_counter()
-        prediction = predict(networks, points_canonical, neighborhoods, labels)
-        inferred = perf_counter()
-        pose, evidence = solve(points, prediction, last, self._category, networks.rotation_fusion)
-        self._health = self._health.updated(evidence)
-        pose = hold_gauge(reject_leaps(pose, last), last, self._category)
-        self._size = self._size.updated(pose)
-        self._pose = self._size.apply(pose, evidence.centroid)
-        timing = StepTiming(*(1e3 * d for d in (sampled - started, inferred - sampled, perf_counter() - inferred)))
-        joints = joint_values(self._pose, self._category)
-        return TrackResult(self._pose, self._health.state, self._health.confidence, joints, evidence, timing)
+        looks = self._options.search.looks()
+        around = self._search.hypotheses(self._motion.expected(time_s), self._health.state, looks)
+        best = self._choose(self._look(observation, segmentation, around))
+        self._health = self._health.updated(self._health.confidence_of(best.evidence))
+        self._pose = self._sized(best)
+        self._motion = self._motion.observed(self._pose, time_s, trusted=self._health.trusted)
+        self._search = self._search.updated(self._pose, self._health.state, looks)
+        published, self._filter = self._filter.filtered(self._published(), time_s)
+        joints = joint_values(published, self._category)
+        return TrackResult(published, self._health.state, self._health.confidence, joints, best.evidence, best.timing)
 
+    def _look(self, observation: Observation, segmentation: Segmentation, around: Sequence[Pose]) -> Sequence[Sighting]:
+        """Look around every pose near which there are points."""
+        sightings, refusal = list[Sighting](), NoPointsError()
+        for pose in around:
+            try:
+                sightings.append(look(self._networks, observation, pose, segmentation, self._options.projection))
+            except NoPointsError as error:
+                refusal = error
+            else:
+                self._options.search.spent(sightings[-1].timing.total_ms)
+        if not sightings:
+            self._health = self._health.missed()
+            raise refusal
+        return sightings
 
-def choose_points(
-    observation: Observation,
-    last: Pose,
-    category: Category,
-    count: int,
-    density: InputSampling,
-    segmentation: Segmentation = NOTHING_KNOWN,
-) -> Crop:
-    """Crop around the last pose where there are surroundings, then pick `count` points in farthest-point order.
+    def _choose(self, sightings: Sequence[Sighting]) -> Sighting:
+        """The best one, wherever it looked, with the time that all of them took."""
+        best = max(sightings, key=lambda sighting: self._health.confidence_of.regardless_of_jumps(sighting.evidence))
+        return replace(best, timing=StepTiming.sum(sighting.timing for sighting in sightings))
 
-    Raises:
-        NoPointsError: nothing was seen near the object.
-    """
-    if not category.background:
-        whole = without_background(observation.whole(), segmentation)
-        if len(whole) < sampling.MINIMUM_CROP_POINTS:
-            raise sampling.NoPointsError(f"the cloud has only {len(whole)} points: send the segmented object")
-        return whole.chosen(sampling.farthest_points(whole.points, count))
-    crop = sampling.crop_ball(observation, last, category.root)
-    root = last.part(category.root)
-    aspect = (root.size / root.scale[:, None])[0]
-    weights = sampling.sampling_weights(canonicalize(crop.points, root)[0], aspect, density)
-    return crop.chosen(sampling.farthest_points(crop.points, count, weights))
+    def _sized(self, found: Sighting) -> Pose:
+        """What was found, at the size and in the gauge that the track remembers."""
+        pose = hold_gauge(found.pose, self._pose, self._category)
+        if self._health.state in (State.TRACKING, State.UNCERTAIN):
+            self._size = self._size.updated(pose)
+        return self._size.apply(pose, found.evidence.centroid)
 
-
-def predict(
-    networks: Networks,
-    points_canonical: Float32[np.ndarray, "parts points 3"],
-    neighborhoods: Sequence[Neighborhoods],
-    labels: UInt8[np.ndarray, " points"] | None = None,
-) -> Prediction:
-    """Run both networks on the canonical clouds; `labels` (see `captra.segmentation`) overrule CoordinateNet's."""
-    root = networks.category.root
-    (segmentation, coordinates), raw_rotations = side_by_side(
-        lambda: networks.coordinates(points_canonical[root], neighborhoods[root]),
-        lambda: networks.rotations(points_canonical, neighborhoods),
-    )
-    if labels is not None:
-        segmentation = overrule(segmentation, labels, networks.category)
-    return Prediction(
-        segmentation=segmentation,
-        coordinates=coordinates,
-        labels=segmentation.argmax(axis=0),
-        delta_rotations=per_point_rotations(raw_rotations, networks.category),
-    )
+    def _published(self) -> Pose:
+        """The last pose, or the last trusted one as long as a search has found nothing better."""
+        held = self._health.state is State.LOST and self._options.search.looks() > 1
+        return self._search.trusted if held else self._pose

@@ -6,9 +6,9 @@ import numpy as np
 
 from captra.fitting import mean_axis_rotation, mean_rotation
 from captra.geometry import rotation_angle
+from captra.looking import Networks
 from captra.sampling import build_neighborhoods
 from captra.solving import per_point_rotations
-from captra.tracker import Networks
 from export.inputs import made_up_clouds
 
 

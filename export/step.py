@@ -8,9 +8,9 @@ from jaxtyping import Float32
 
 from captra.canonical import canonicalize
 from captra.geometry import Pose
+from captra.looking import Networks, predict
 from captra.sampling import PAPER, Profile, build_neighborhoods
 from captra.solving import solve
-from captra.tracker import Networks, predict
 
 INPUTS = ("points", "last_scale", "last_rotation", "last_translation")
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from captra import depth_images, observations, sampling
-from captra.health import ConfidenceModel, HealthMonitor
+from captra.health import HealthMonitor
 from captra.runtime.bundle import BundleError, find_bundles, load_manifest
 from captra.runtime.onnx_networks import OnnxNetworks
 from captra.sampling import PROFILES
@@ -105,4 +105,4 @@ class BundleNetworks:
 
 def engine_of(networks: OnnxNetworks) -> Engine:
     """The networks with the confidence that was calibrated on them."""
-    return Engine(networks, HealthMonitor(ConfidenceModel(**networks.manifest.health)))
+    return Engine(networks, HealthMonitor.calibrated(networks.manifest.health))

@@ -9,7 +9,8 @@ from typing import Any, Generic, Protocol, TypeVar
 
 from captra.geometry import Pose
 from captra.health import HealthMonitor
-from captra.tracker import Networks, Tracker
+from captra.looking import Networks
+from captra.tracker import Tracker
 
 Loaded = TypeVar("Loaded")
 

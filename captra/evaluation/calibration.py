@@ -1,87 +1,116 @@
-"""Fits the confidence to what a step knows, on sequences apart from training and test."""
+"""Fits the confidence and its thresholds to what steps knew, on sequences apart from training and test."""
 
-from collections.abc import Iterable
-from dataclasses import dataclass, fields
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from jaxtyping import Bool, Float64
 
-from captra.data.recordings import Recording
-from captra.evaluation.observability import symmetric_frames
-from captra.health import ConfidenceModel
-from captra.metrics import rotation_error_deg, translation_error_cm, within
-from captra.perturbation import perturb
-from captra.sampling import NoPointsError
-from captra.tracker import Networks, Tracker
+from captra.confidence import FEATURES, UNCALIBRATED, ConfidenceModel
+from captra.evaluation.watching import Watched
+from captra.health import HealthMonitor
 
-START_SPREADS = (1.0, 3.0, 6.0)
-"""Errors of the first pose, in units of the training perturbation: from tracks that hold to tracks that never do."""
+RIDGE = 3e-3
+"""Pull towards the uncalibrated weights, per standard deviation of a feature: what data do not tell stays as it was."""
 
-RIDGE = 1e-3
-NEWTON_STEPS = 50
-LIKELIEST_LOGIT = 12.0
+NEWTON_STEPS = 30
+DOUBTED_SHARE = 0.01
+"""Share of right frames whose confidence may lie under the lower threshold."""
+
+THRESHOLDS = (0.02, 0.4)
+"""Bounds of the lower threshold."""
+
+TRUST_LOGIT = 1.5
+"""How far the upper threshold lies above the lower one, in log odds."""
 
 
 @dataclass(frozen=True)
 class Observations:
     """What steps knew, and whether they were right."""
 
-    features: Float64[np.ndarray, "steps features"]
-    """As `ConfidenceModel.features` orders them."""
-    correct: Bool[np.ndarray, " steps"]
-    """Within 5° and 5 cm."""
+    features: Float64[np.ndarray, "steps parts features"]
+    """As `captra.confidence.FEATURES` orders them."""
+    correct: Bool[np.ndarray, "steps parts"]
+    """Whether each part was seen and within 5° and 5 cm."""
 
 
-def observe(networks: Networks, recordings: Iterable[Recording], seed: int = 0) -> Observations:
-    """Track every recording from several starts and note evidence and truth of every part and frame."""
-    rng = np.random.default_rng(seed)
-    features, correct = [], []
-    for recording in recordings:
-        symmetric = symmetric_frames(recording)
-        for spread in START_SPREADS:
-            tracker = Tracker(networks, perturb(recording.truth(0), recording.category, rng, spread))
-            for frame in range(1, len(recording)):
-                try:
-                    result = tracker.step(recording.clouds[frame])
-                except NoPointsError:
-                    break
-                truth = recording.truth(frame)
-                rotation = rotation_error_deg(result.pose.rotation, truth.rotation, symmetric=bool(symmetric[frame]))
-                translation = translation_error_cm(result.pose.translation, truth.translation)
-                features += [ConfidenceModel.features(part) for part in result.evidence.parts]
-                correct += list(within(rotation, translation))
-    return Observations(np.array(features), np.array(correct))
+def observations(watched: Sequence[Watched]) -> Observations:
+    """All frames in which there was something to look at."""
+    features = np.concatenate([one.features for one in watched])
+    correct = np.concatenate([one.part_correct for one in watched])
+    known = np.isfinite(features).all(axis=(1, 2))
+    return Observations(features[known], correct[known])
 
 
-def fit(observations: Observations) -> ConfidenceModel:
-    """Logistic regression by Newton's method, with a slight pull towards zero.
+def calibrate(found: Observations) -> HealthMonitor:
+    """The monitor whose confidence and thresholds fit these observations.
 
     Raises:
-        ValueError: when all steps were right, or none.
+        ValueError: there are none.
     """
-    if len(set(observations.correct.tolist())) < 2:
-        raise ValueError("all steps were right, or none: calibrate on sequences that include both")
-    x = np.c_[np.ones(len(observations.features)), observations.features]
-    y = observations.correct.astype(np.float64)
-    spread = np.maximum(x.std(axis=0), 1e-9)
-    spread[0] = 1.0
-    z, weights = x / spread, np.zeros(x.shape[1])
+    if not len(found.correct):
+        raise ValueError("there is nothing to calibrate on: no frame had points near the object")
+    parts = fit(found.features.reshape(-1, len(FEATURES)), found.correct.reshape(-1))
+    model = _of_the_worst_part(parts, found)
+    right = confidences(model, found)[found.correct.all(axis=1)]
+    doubt = float(np.clip(np.quantile(right, DOUBTED_SHARE) if len(right) else 0.0, *THRESHOLDS))
+    trust = 1 / (1 + np.exp(-(np.log(doubt / (1 - doubt)) + TRUST_LOGIT)))
+    return HealthMonitor(model, doubt, float(trust))
+
+
+def fit(features: Float64[np.ndarray, "rows features"], correct: Bool[np.ndarray, " rows"]) -> ConfidenceModel:
+    """Logistic regression by Newton's method, pulled towards the uncalibrated weights.
+
+    Every feature is bad news, so a weight that comes out positive says that its feature says nothing here: it is left
+    out, and the others are fitted again.
+    """
+    y, spread = correct.astype(np.float64), np.maximum(features.std(axis=0), 1e-6)
+    prior = np.array([UNCALIBRATED[name] for name in FEATURES]) * spread
+    z, used = features / spread, np.ones(len(FEATURES), bool)
+    while True:
+        bias, weights = _newton(z[:, used], y, prior[used])
+        if (weights <= 0).all():
+            break
+        used[np.flatnonzero(used)[weights > 0]] = False
+    found = np.zeros(len(FEATURES))
+    found[used] = weights / spread[used]
+    return ConfidenceModel(float(bias), dict(zip(FEATURES, found.tolist(), strict=True)))
+
+
+def confidences(model: ConfidenceModel, found: Observations) -> Float64[np.ndarray, " steps"]:
+    """The model's confidence in every step: that in its worst part."""
+    return np.asarray(1 / (1 + np.exp(-model.logit(found.features).min(axis=1))))
+
+
+def _newton(
+    z: Float64[np.ndarray, "rows features"], y: Float64[np.ndarray, " rows"], prior: Float64[np.ndarray, " features"]
+) -> tuple[float, Float64[np.ndarray, " features"]]:
+    x, towards = np.c_[np.ones(len(z)), z], np.r_[ConfidenceModel().bias, prior]
+    weights = towards.copy()
     for _ in range(NEWTON_STEPS):
-        p = 1 / (1 + np.exp(-np.clip(z @ weights, -LIKELIEST_LOGIT, LIKELIEST_LOGIT)))
-        gradient = z.T @ (y - p) / len(y) - RIDGE * weights
-        hessian = (z * (p * (1 - p))[:, None]).T @ z / len(y) + RIDGE * np.eye(len(weights))
-        weights += np.linalg.solve(hessian, gradient)
-    names = [field.name for field in fields(ConfidenceModel)]
-    return ConfidenceModel(**dict(zip(names, map(float, weights / spread), strict=True)))
+        p = 1 / (1 + np.exp(-np.clip(x @ weights, -30, 30)))
+        gradient = x.T @ (y - p) / len(y) - RIDGE * (weights - towards)
+        hessian = (x * (p * (1 - p))[:, None]).T @ x / len(y) + RIDGE * np.eye(len(weights))
+        step = np.linalg.solve(hessian, gradient)
+        weights += step * min(1.0, 5.0 / max(float(np.abs(step).max()), 1e-12))
+    return float(weights[0]), weights[1:]
+
+
+def _of_the_worst_part(parts: ConfidenceModel, found: Observations) -> ConfidenceModel:
+    """The model of single parts, recalibrated to speak for all of them at once (Platt scaling of the lowest logit)."""
+    if found.correct.shape[1] == 1:
+        return parts
+    lowest = parts.logit(found.features).min(axis=1)
+    bias, slopes = _newton(lowest[:, None], np.asarray(found.correct.all(axis=1), np.float64), np.ones(1))
+    slope = max(float(slopes[0]), 0.1)
+    weights = {name: slope * weight for name, weight in parts.weights.items()}
+    return ConfidenceModel(bias + slope * parts.bias, weights)
 
 
 def auroc(confidence: Float64[np.ndarray, " steps"], correct: Bool[np.ndarray, " steps"]) -> float:
-    """Probability that a right step is trusted more than a wrong one (Mann–Whitney)."""
-    order = np.argsort(np.argsort(confidence, kind="stable"), kind="stable") + 1.0
-    right, wrong = int(correct.sum()), int((~correct).sum())
-    return float((order[correct].sum() - right * (right + 1) / 2) / (right * wrong))
-
-
-def confidences(model: ConfidenceModel, observations: Observations) -> Float64[np.ndarray, " steps"]:
-    """The model's confidence in every step."""
-    return np.array([model.probability(row) for row in observations.features])
+    """Probability that a right step is trusted more than a wrong one (Mann–Whitney); NaN without both kinds."""
+    right, wrong = np.sort(confidence[correct]), confidence[~correct]
+    if not len(right) or not len(wrong):
+        return float("nan")
+    below, upto = np.searchsorted(right, wrong, "left"), np.searchsorted(right, wrong, "right")
+    return float((len(right) - (below + upto) / 2).sum() / (len(right) * len(wrong)))

@@ -70,7 +70,7 @@ def evaluate(
     options |= {"meshes": meshes} if meshes else {}
     report = Report()
     with workers(jobs) as pool:
-        for name in category or _available(models):
+        for name in category or available(models):
             exported = _exported(models, name, profile, provider, max(1, available_cores() // jobs))
             for group, sources in (
                 ("recordings", recordings_in(recordings, name, meshes)),
@@ -108,57 +108,21 @@ def response(
     from captra.evaluation.table import WIDTH, response_table
 
     console = Console(width=WIDTH)
-    for name in category or _available(models):
-        networks = _load(models, name, profile, provider)
+    for name in category or available(models):
+        networks = load(models, name, profile, provider)
         for source in recordings_in(recordings, name):
             console.print(response_table(source.name, test(networks, source.load().recording)))
 
 
-def calibrate(
-    category: Categories = None,
-    sequences: Annotated[int, typer.Option(help="Procedural validation sequences per category.")] = 6,
-    frames: Annotated[int, typer.Option(help="Frames of each.")] = 50,
-    models: Models = DEFAULT_MODELS,
-    profile: ProfileName = "realtime",
-    provider: Provider = "cpu",
-    cache: Cache = DEFAULT_CACHE,
-) -> None:
-    """Fit the confidence of a bundle on validation sequences and write it into the manifest.
-
-    Example: captra calibrate --category mug
-    """
-    from dataclasses import asdict, replace
-
-    from rich.console import Console
-
-    from captra.evaluation.calibration import auroc, confidences, fit, observe
-    from captra.evaluation.sequence_cache import SequenceCache
-    from captra.evaluation.sequences import VALIDATION_SEED
-    from captra.evaluation.sequences import procedural as make
-    from captra.runtime.bundle import load_manifest, write_manifest
-
-    console, kept = Console(), SequenceCache.open(cache)
-    for name in category or _available(models):
-        networks = _load(models, name, profile, provider)
-        with console.status(f"{name}: tracking {sequences} sequences from three starts each"):
-            sources = make(name, sequences, kept, frames, VALIDATION_SEED)
-            observations = observe(networks, (source.load().recording for source in sources))
-        model = fit(observations)
-        write_manifest(models / name, replace(load_manifest(models / name), health=asdict(model)))
-        found = auroc(confidences(model, observations), observations.correct)
-        console.print(
-            f"{name}: {len(observations.correct)} steps, {100 * observations.correct.mean():.0f} % right, "
-            f"AUROC {found:.3f} on the sequences it was fitted to"
-        )
-
-
-def _available(models: Path) -> list[str]:
+def available(models: Path) -> list[str]:
+    """Categories that have a bundle."""
     from captra.runtime.bundle import find_bundles
 
     return sorted(find_bundles(models))
 
 
-def _load(models: Path, category: str, profile: str, provider: str) -> "OnnxNetworks":
+def load(models: Path, category: str, profile: str, provider: str) -> "OnnxNetworks":
+    """The networks of a bundle, on all cores."""
     from captra.runtime.cores import available_cores
 
     return _exported(models, category, profile, provider, available_cores()).load()

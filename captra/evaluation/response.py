@@ -9,7 +9,8 @@ from captra.data.recordings import Recording
 from captra.evaluation.observability import symmetric_frames
 from captra.fitting import angle_about_axis
 from captra.geometry import Pose, axis_angle
-from captra.tracker import Networks, Tracker
+from captra.looking import Networks
+from captra.tracker import Tracker
 
 ANGLES_DEG = (-15.0, -10.0, -5.0, 5.0, 10.0, 15.0)
 AXES = "xyz"

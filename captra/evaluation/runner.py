@@ -12,9 +12,9 @@ from captra.evaluation.response import Response, response
 from captra.evaluation.scoring import SequenceScore, score
 from captra.evaluation.sequences import SequenceSource
 from captra.evaluation.workers import Workers
+from captra.looking import Networks
 from captra.runtime.onnx_networks import OnnxNetworks
 from captra.sampling import PROFILES
-from captra.tracker import Networks
 
 AS_SERVED = Served()
 

@@ -17,7 +17,7 @@ from captra.sampling import InputSampling, Neighborhoods, Profile
 
 @dataclass(frozen=True)
 class TorchNetworks:
-    """Satisfies `captra.tracker.Networks`."""
+    """Satisfies `captra.looking.Networks`."""
 
     category: Category
     """What the networks were trained on."""

@@ -14,9 +14,9 @@ from captra.data.view import View
 from captra.geometry import Pose
 from captra.learn.perturbation import PerturbationMix, perturb_for_training
 from captra.learn.pointnet2 import TorchNeighborhoods
+from captra.looking import choose_points
 from captra.observations import PointCloud
 from captra.sampling import InputSampling, Neighborhoods, Profile, build_neighborhoods
-from captra.tracker import choose_points
 
 FEWEST_POINTS = 8
 """A part that shows fewer teaches RotationNet nothing."""

@@ -92,7 +92,7 @@ class Manifest:
     rotation_fusion: str = "rotation-net"
     """Whose word counts for rotations: a name of `captra.rotation_fusion.ROTATION_FUSIONS`."""
     health: Mapping[str, Any] = field(default_factory=dict)
-    """Calibration of the confidence on these networks: fields of `captra.health.ConfidenceModel` by name."""
+    """Calibration of the confidence on these networks, as `captra.health.HealthMonitor.calibrated` reads it."""
     format: int = FORMAT
     """Version of this file's layout."""
 

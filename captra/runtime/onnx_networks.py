@@ -20,7 +20,7 @@ Feed = dict[str, np.ndarray]
 
 @dataclass(frozen=True, eq=False)
 class OnnxNetworks:
-    """Satisfies `captra.tracker.Networks`; may be shared by threads, since sessions keep nothing between two runs."""
+    """Satisfies `captra.looking.Networks`; may be shared by threads, since sessions keep nothing between two runs."""
 
     manifest: Manifest
     """What the bundle says of itself."""

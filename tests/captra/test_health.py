@@ -1,28 +1,15 @@
-from dataclasses import replace
+import pytest
 
-import numpy as np
-from hypothesis import given
-from hypothesis import strategies as st
+from captra.confidence import ConfidenceModel
+from captra.health import HealthMonitor, State
 
-from captra.health import ConfidenceModel, Evidence, HealthMonitor, PartEvidence, State
-
-GOOD = PartEvidence(
-    points=500,
-    centroid=np.zeros(3),
-    residual=0.02,
-    inliers=0.95,
-    disagreement_rad=0.03,
-    rotation_jump_rad=0.02,
-    translation_jump=0.02,
-    scale_jump=0.005,
-)
-BAD = replace(GOOD, residual=0.2, inliers=0.1, disagreement_rad=0.6)
+GOOD, MIDDLING, BAD = 0.95, 0.15, 0.01
 
 
-def run(monitor: HealthMonitor, *parts: PartEvidence) -> list[State]:
+def run(monitor: HealthMonitor, *confidences: float) -> list[State]:
     states = []
-    for part in parts:
-        monitor = monitor.updated(Evidence((part,), 0.5))
+    for confidence in confidences:
+        monitor = monitor.updated(confidence)
         states.append(monitor.state)
     return states
 
@@ -33,6 +20,11 @@ def test_good_frames_are_tracking() -> None:
 
 def test_one_bad_frame_is_doubt_and_a_good_one_ends_it() -> None:
     assert run(HealthMonitor(), BAD, GOOD) == [State.UNCERTAIN, State.TRACKING]
+
+
+def test_between_the_thresholds_the_state_stays() -> None:
+    assert run(HealthMonitor(), MIDDLING, BAD, MIDDLING) == [State.TRACKING, State.UNCERTAIN, State.UNCERTAIN]
+    assert run(HealthMonitor(), *[BAD] * 4, MIDDLING)[-1] is State.LOST
 
 
 def test_lost_within_five_frames_and_back_only_after_patience() -> None:
@@ -46,27 +38,29 @@ def test_relapse_while_recovering_is_lost_again() -> None:
     assert run(HealthMonitor(), *[BAD] * 4, GOOD, BAD)[-1] is State.LOST
 
 
+def test_frames_without_points_are_lost_within_five_but_one_alone_changes_nothing() -> None:
+    monitor, states = HealthMonitor(), []
+    for _ in range(5):
+        monitor = monitor.missed()
+        states.append(monitor.state)
+    assert states == [State.TRACKING, *[State.UNCERTAIN] * 3, State.LOST]
+    assert HealthMonitor().missed().updated(GOOD).missed().state is State.TRACKING
+
+
 def test_a_given_pose_starts_a_new_track() -> None:
     monitor = HealthMonitor()
     for _ in range(5):
-        monitor = monitor.updated(Evidence((BAD,), 0.5))
+        monitor = monitor.updated(BAD)
     assert monitor.state is State.LOST
     fresh = monitor.restarted()
     assert (fresh.state, fresh.confidence, fresh.streak) == (State.TRACKING, 1.0, 0)
 
 
-def test_the_worst_part_decides() -> None:
-    model = ConfidenceModel()
-    assert model(Evidence((GOOD, BAD), 0.5)) == model(Evidence((BAD,), 0.5))
+def test_a_manifest_gives_back_the_calibrated_monitor() -> None:
+    monitor = HealthMonitor(ConfidenceModel(bias=1.5), doubt_below=0.12, trust_above=0.4)
+    assert HealthMonitor.calibrated(monitor.calibration).calibration == monitor.calibration
 
 
-def test_a_missing_part_is_never_trusted() -> None:
-    assert ConfidenceModel()(Evidence((GOOD, PartEvidence.missing(0, np.zeros(3))), 0.5)) < 0.01
-
-
-@given(st.floats(0, 1), st.floats(0, 3), st.floats(0, 1))
-def test_confidence_falls_with_residual_and_disagreement(residual: float, disagreement: float, more: float) -> None:
-    part = replace(GOOD, residual=residual, disagreement_rad=disagreement)
-    worse = replace(part, residual=residual + more, disagreement_rad=disagreement + more)
-    model = ConfidenceModel()
-    assert 0 <= model(Evidence((worse,), 0.5)) <= model(Evidence((part,), 0.5)) <= 1
+@pytest.mark.parametrize("health", [{}, {"bias": 1.0, "residual": -4.0}])
+def test_a_manifest_without_this_calibration_gives_the_defaults(health: dict[str, float]) -> None:
+    assert HealthMonitor.calibrated(health) == HealthMonitor()

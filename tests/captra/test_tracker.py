@@ -6,7 +6,7 @@ from captra.geometry import Pose, axis_angle
 from captra.health import State
 from captra.metrics import rotation_error_deg
 from captra.sampling import NoPointsError
-from captra.tracker import Tracker
+from captra.tracker import Tracker, TrackerOptions
 from tests.oracle import OracleNetworks, scene
 
 EVERY = pytest.mark.parametrize("name", CATEGORIES)
@@ -26,7 +26,7 @@ def test_one_step_with_perfect_networks_finds_the_pose_of_every_part(name: str) 
     rng = np.random.default_rng(3)
     category, truth, cloud = scene(name, rng)
     start = perturbed(truth, rng)
-    tracker = Tracker(OracleNetworks(category, truth, start), start, given_weight_frames=0)
+    tracker = Tracker(OracleNetworks(category, truth, start), start, options=TrackerOptions(given_weight_frames=0))
     result = tracker.step(cloud)
     errors = rotation_error_deg(result.pose.rotation, truth.rotation, symmetric=category.symmetric)
     assert errors.max() < 0.1

@@ -4,7 +4,7 @@ from concurrent.futures import ThreadPoolExecutor
 import pytest
 
 from captra.categories import CATEGORIES
-from captra.tracker import Networks
+from captra.looking import Networks
 from service.networks import LoadedOnce
 from tests.service.support import CentreNetworks
 

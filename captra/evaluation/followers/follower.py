@@ -11,8 +11,8 @@ from jaxtyping import Float32
 from captra.evaluation.sequences import Sequence
 from captra.geometry import Pose
 from captra.health import State
+from captra.looking import Networks
 from captra.sampling import NoPointsError
-from captra.tracker import Networks
 
 
 @dataclass(frozen=True)

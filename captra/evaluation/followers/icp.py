@@ -8,10 +8,10 @@ from jaxtyping import Float, Float32, Float64
 from captra.evaluation.followers.follower import Track, follow
 from captra.evaluation.sequences import Sequence
 from captra.geometry import Pose, project_to_rotation
+from captra.looking import Networks
 from captra.observations import PointCloud
 from captra.sampling import crop_ball
 from captra.solving import FEWEST_POINTS
-from captra.tracker import Networks
 
 LARGEST_POINTS = 2000
 """Of a cloud; more of them tell ICP nothing new."""

@@ -11,10 +11,10 @@ from captra.evaluation.followers.follower import Track, follow
 from captra.evaluation.sequences import Sequence
 from captra.fitting import umeyama_ransac
 from captra.geometry import Pose
+from captra.looking import Networks, choose_points
 from captra.observations import PointCloud
 from captra.sampling import build_neighborhoods
 from captra.solving import FEWEST_POINTS, INLIER_RESIDUAL, hold_gauge
-from captra.tracker import Networks, choose_points
 
 
 @dataclass(frozen=True)

@@ -8,10 +8,11 @@ import numpy as np
 from captra.evaluation.followers.follower import Track, follow
 from captra.evaluation.sequences import Sequence
 from captra.geometry import Pose
-from captra.health import HealthMonitor, State
+from captra.health import State
+from captra.looking import Networks
 from captra.perturbation import perturb
 from captra.size_memory import GIVEN_WEIGHT_FRAMES
-from captra.tracker import Networks, Tracker
+from captra.tracker import Tracker, TrackerOptions
 
 ENDLESS_FRAMES = 1e9
 """A given size that is worth so many frames never changes."""
@@ -35,7 +36,7 @@ class Served:
         recording = sequence.recording
         rng = np.random.default_rng(zlib.crc32(recording.name.encode()))
         start = _disturbed(recording.init, networks, rng, self.start_noise)
-        tracker = Tracker(networks, start, HealthMonitor(), self.given_weight_frames)
+        tracker = Tracker(networks, start, options=TrackerOptions(given_weight_frames=self.given_weight_frames))
         states: list[State] = [State.TRACKING]
 
         def step(cloud: np.ndarray, _frame: int, last: Pose) -> Pose:

@@ -1,31 +1,61 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from captra.evaluation.calibration import Observations, auroc, confidences, fit, observe
-from captra.health import ConfidenceModel
-from tests.captra.evaluation.test_evaluation import still_recording
-from tests.oracle import OracleNetworks
+from captra.confidence import FEATURES, UNCALIBRATED, ConfidenceModel
+from captra.evaluation.calibration import Observations, auroc, calibrate, confidences, fit
+
+TRUTH = ConfidenceModel(2.0, {name: -float(1 + i % 3) for i, name in enumerate(FEATURES)})
 
 
-def made_up(count: int = 4000) -> tuple[ConfidenceModel, Observations]:
+def made_up(steps: int = 4000, parts: int = 1) -> Observations:
     rng = np.random.default_rng(0)
-    truth = ConfidenceModel(bias=3, residual=-20, outliers=-1, disagreement=-4, few_points=-2, jump=-3)
-    features = rng.uniform(0, [0.3, 1, 0.6, 1, 0.5], (count, 5))
-    probability = np.array([truth.probability(row) for row in features])
-    return truth, Observations(features, rng.random(count) < probability)
+    features = rng.exponential(0.15, (steps, parts, len(FEATURES)))
+    probability = 1 / (1 + np.exp(-TRUTH.logit(features)))
+    return Observations(features, rng.random((steps, parts)) < probability)
 
 
 def test_the_model_that_made_the_data_is_found_again() -> None:
-    truth, observations = made_up()
-    found = fit(observations)
-    difference = confidences(found, observations) - confidences(truth, observations)
-    assert np.abs(difference).mean() < 0.03
-    assert np.abs(confidences(found, observations).mean() - observations.correct.mean()) < 0.02
+    found = made_up()
+    model = fit(found.features[:, 0], found.correct[:, 0])
+    difference = confidences(model, found) - confidences(TRUTH, found)
+    assert np.abs(difference).mean() < 0.05
 
 
-def test_fitting_needs_right_and_wrong_steps() -> None:
-    with pytest.raises(ValueError, match="both"):
-        fit(Observations(np.zeros((5, 5)), np.ones(5, bool)))
+@pytest.mark.parametrize("parts", [1, 3])
+def test_confidence_is_calibrated_for_all_parts_at_once(parts: int) -> None:
+    found = made_up(parts=parts)
+    monitor = calibrate(found)
+    confidence, right = confidences(monitor.confidence_of, found), np.asarray(found.correct.all(axis=1))
+    assert confidence.mean() == pytest.approx(right.mean(), abs=0.03)
+    sure = confidence > np.median(confidence)
+    assert confidence[sure].mean() == pytest.approx(right[sure].mean(), abs=0.05)
+    assert 0 < monitor.doubt_below < monitor.trust_above < 1
+
+
+def test_a_feature_that_seems_to_be_good_news_is_left_out() -> None:
+    found = made_up()
+    flipped = found.features.copy()
+    flipped[:, 0, 0] = np.where(found.correct[:, 0], 1.0, 0.0)
+    model = fit(flipped[:, 0], found.correct[:, 0])
+    assert model.weights[FEATURES[0]] == 0
+    assert all(weight <= 0 for weight in model.weights.values())
+
+
+@pytest.mark.parametrize("right", [True, False])
+def test_steps_that_are_all_right_or_all_wrong_can_be_calibrated_on(right: bool) -> None:
+    found = made_up(200)
+    monitor = calibrate(replace(found, correct=np.full_like(found.correct, right)))
+    confidence = confidences(monitor.confidence_of, found)
+    assert (confidence.mean() > 0.8) == right
+    assert np.isfinite(list(monitor.confidence_of.weights.values())).all()
+    assert set(monitor.confidence_of.weights) == set(UNCALIBRATED)
+
+
+def test_nothing_to_calibrate_on_is_refused() -> None:
+    with pytest.raises(ValueError, match="nothing to calibrate on"):
+        calibrate(Observations(np.zeros((0, 1, len(FEATURES))), np.zeros((0, 1), bool)))
 
 
 def test_auroc_counts_pairs_in_the_right_order() -> None:
@@ -33,11 +63,5 @@ def test_auroc_counts_pairs_in_the_right_order() -> None:
     assert auroc(np.array([0.9, 0.8, 0.2, 0.1]), correct) == 1
     assert auroc(np.array([0.1, 0.2, 0.8, 0.9]), correct) == 0
     assert auroc(np.array([0.9, 0.15, 0.2, 0.1]), correct) == 0.75
-
-
-def test_every_step_of_every_start_is_observed() -> None:
-    recording = still_recording("camera")
-    truth = recording.truth(0)
-    observations = observe(OracleNetworks(recording.category, truth, truth), [recording])
-    assert observations.features.shape[1] == 5
-    assert len(observations.features) == len(observations.correct) <= 9
+    assert auroc(np.full(4, 0.5), correct) == 0.5
+    assert np.isnan(auroc(np.ones(2), np.ones(2, bool)))

@@ -11,7 +11,7 @@ from captra.evaluation.scoring import joint_errors, score
 from captra.evaluation.sequences import Sequence
 from captra.evaluation.table import response_table, table
 from captra.geometry import Pose, axis_angle
-from captra.tracker import Networks
+from captra.looking import Networks
 from tests.oracle import OracleNetworks, scene
 
 

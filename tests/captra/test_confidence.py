@@ -1,0 +1,78 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from captra.confidence import FEATURES, JUMPS, UNCALIBRATED, ConfidenceModel, features
+from captra.evidence import Evidence, PartEvidence
+
+GOOD = PartEvidence(
+    points=500,
+    centroid=np.zeros(3),
+    residual=0.02,
+    inliers=0.95,
+    disagreement_rad=0.03,
+    rotation_jump_rad=0.02,
+    translation_jump=0.02,
+    scale_jump=0.005,
+    spread=0.002,
+    shape_jump=0.02,
+    share=0.5,
+    filled=0.9,
+    certainty=0.97,
+)
+BAD = replace(GOOD, residual=0.2, inliers=0.1, disagreement_rad=0.6, certainty=0.5)
+
+
+def evidence(*parts: PartEvidence, distinct_points: int = 1024) -> Evidence:
+    return Evidence(parts, 0.5, distinct_points)
+
+
+def test_there_is_a_feature_and_a_weight_for_every_name() -> None:
+    assert features(GOOD, 1024).shape == (len(FEATURES),)
+    assert set(UNCALIBRATED) == set(FEATURES)
+    assert set(JUMPS) < set(FEATURES)
+
+
+def test_good_evidence_is_trusted_and_bad_evidence_is_not() -> None:
+    model = ConfidenceModel()
+    assert model(evidence(GOOD)) > 0.8
+    assert model(evidence(BAD)) < 0.1
+
+
+def test_the_worst_part_decides() -> None:
+    model = ConfidenceModel()
+    assert model(evidence(GOOD, BAD)) == pytest.approx(model(evidence(BAD)))
+
+
+def test_a_missing_part_is_never_trusted() -> None:
+    assert ConfidenceModel()(evidence(GOOD, PartEvidence.missing(0, np.zeros(3)))) < 0.01
+
+
+def test_a_sparse_cloud_is_trusted_less() -> None:
+    model = ConfidenceModel()
+    assert model(evidence(GOOD, distinct_points=12)) < model(evidence(GOOD))
+
+
+def test_jumps_do_not_count_where_they_were_to_be_expected() -> None:
+    jumped = replace(GOOD, rotation_jump_rad=0.5, translation_jump=0.6, scale_jump=0.1)
+    model = ConfidenceModel()
+    assert model(evidence(jumped)) < model(evidence(GOOD))
+    assert model.regardless_of_jumps(evidence(jumped)) == pytest.approx(model.regardless_of_jumps(evidence(GOOD)))
+
+
+@given(st.floats(0, 1), st.floats(0, 3), st.floats(0, 1), st.floats(0, 1))
+def test_worse_evidence_is_never_trusted_more(residual: float, disagreement: float, more: float, less: float) -> None:
+    part = replace(GOOD, residual=residual, disagreement_rad=disagreement)
+    worse = replace(
+        part,
+        residual=residual + more,
+        disagreement_rad=disagreement + more,
+        rotation_jump_rad=part.rotation_jump_rad + more,
+        certainty=part.certainty * less,
+        filled=part.filled * less,
+    )
+    model = ConfidenceModel()
+    assert 0 <= model(evidence(worse)) <= model(evidence(part)) <= 1

@@ -1,0 +1,75 @@
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from captra.categories import CATEGORIES, get_category
+from captra.fitting import angle_about_axis, rotation_about_axis
+from captra.geometry import Pose, axis_angle, rotation_angle
+from captra.joint_projection import UNPROJECTED, OntoAxes
+
+ARTICULATED = pytest.mark.parametrize("name", [name for name, one in CATEGORIES.items() if one.joints])
+
+
+def turned(name: str, seed: int, error_rad: float) -> tuple[np.ndarray, np.ndarray]:
+    """True rotations of an object with turned joints, and the same with errors in the children."""
+    rng, category = np.random.default_rng(seed), get_category(name)
+    truth = np.tile(axis_angle(rng.standard_normal(3), 1.0), (category.num_parts, 1, 1))
+    for joint in category.joints:
+        if joint.kind == "revolute":
+            truth[joint.child] = truth[joint.parent] @ axis_angle(np.array(joint.axis), rng.uniform(0.2, 1.5))
+    wrong = truth.copy()
+    for joint in category.joints:
+        across = np.cross(joint.axis, rng.standard_normal(3))
+        wrong[joint.child] = wrong[joint.child] @ axis_angle(across, error_rad)
+    return truth, wrong
+
+
+def error(rotation: np.ndarray, truth: np.ndarray) -> float:
+    return float(rotation_angle(np.swapaxes(truth, -1, -2) @ rotation).max())
+
+
+@ARTICULATED
+def test_errors_across_the_axes_go_away(name: str) -> None:
+    truth, wrong = turned(name, 0, 0.1)
+    projected = OntoAxes()(wrong, get_category(name))
+    assert error(projected, truth) < 0.01 < error(wrong, truth)
+    np.testing.assert_array_equal(UNPROJECTED(wrong, get_category(name)), wrong)
+
+
+@ARTICULATED
+@given(seed=st.integers(0, 1000), error_rad=st.floats(0, 0.5))
+def test_projecting_twice_changes_nothing_more(name: str, seed: int, error_rad: float) -> None:
+    category = get_category(name)
+    once = OntoAxes()(turned(name, seed, error_rad)[1], category)
+    np.testing.assert_allclose(OntoAxes()(once, category), once, atol=1e-9)
+
+
+def test_an_axis_given_by_the_session_is_the_one_about_which_parts_turn() -> None:
+    category, axis = get_category("scissors"), (0.0, 0.6, 0.8)
+    _, wrong = turned("scissors", 1, 0.2)
+    projected = OntoAxes(axes={"pivot": axis})(wrong, category)
+    relative = projected[0].T @ projected[1]
+    np.testing.assert_allclose(rotation_about_axis(relative, np.array(axis)), relative, atol=1e-9)
+
+
+def test_a_joint_learned_from_the_first_pose_keeps_what_is_constant_in_it() -> None:
+    category = get_category("laptop_articulated")
+    joint = category.joints[0]
+    skewed = axis_angle(np.array([0.0, 0.0, 1.0]), 0.15)
+
+    def rotations(angle: float) -> np.ndarray:
+        parent = axis_angle(np.array([1.0, 2.0, 3.0]), 0.7)
+        both = np.stack([parent, parent])
+        both[joint.child] = parent @ axis_angle(np.array(joint.axis), angle) @ skewed
+        return both
+
+    first = Pose.from_size(rotations(0.3), np.zeros((2, 3)), np.ones((2, 3)))
+    projection, later = OntoAxes.learned_from(first, category), rotations(1.1)
+    np.testing.assert_allclose(projection(later, category), later, atol=1e-2)
+    assert error(OntoAxes()(later, category), later) > 0.1
+    moved = angle_about_axis(
+        projection(later, category)[joint.parent].T @ projection(later, category)[joint.child] @ skewed.T,
+        np.array(joint.axis),
+    )
+    assert moved == pytest.approx(1.1, abs=0.05)
