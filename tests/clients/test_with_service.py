@@ -1,7 +1,5 @@
 """The client against the service itself, with networks that follow the middle of the cloud."""
 
-import runpy
-import sys
 import threading
 from collections.abc import Iterator
 from pathlib import Path
@@ -15,8 +13,6 @@ from clients import Event, Frame, Result, open_session
 from clients.cli import track
 from tests.clients.sequences import DRIFT_M, FRAMES, drifting_mug, saved, without_a_cloud
 from tests.service.support import Running, running
-
-EXAMPLES = Path(__file__).parents[2] / "clients" / "examples"
 
 
 @pytest.fixture
@@ -147,15 +143,3 @@ def test_captra_track_plays_a_recording_and_ends_with_the_table(
     for measure in ("frames sent / answered", "rotation error", "translation error", "5°5cm", "IoU", "p50 / p95 / p99"):
         assert measure in printed
     assert "100.0 %" in printed
-
-
-@pytest.mark.parametrize("example", sorted(EXAMPLES.glob("[0-9]*.py")), ids=lambda path: path.stem)
-def test_examples_run(
-    example: Path, url: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    monkeypatch.setenv("CAPTRA_URL", url)
-    monkeypatch.setattr(sys, "argv", [str(example), str(saved(drifting_mug(), tmp_path))])
-    runpy.run_path(str(example), run_name="__main__")
-    lines = capsys.readouterr().out.splitlines()
-    assert len(lines) == FRAMES
-    assert lines[-1].startswith("  7 tracking")
