@@ -116,3 +116,9 @@ def test_poses_to_csv(run: Run, tmp_path: Path) -> None:
     assert [int(row["seq"]) for row in rows] == list(range(FRAMES))
     assert {row["part"] for row in rows} == {"mug"}
     assert float(rows[-1]["size_y"]) > 0.05
+
+
+def test_record_and_replay(run: Run) -> None:
+    lines = run("08")
+    assert len(lines) == FRAMES
+    assert all(line.endswith("tracking the same") for line in lines[2:])

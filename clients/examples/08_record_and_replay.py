@@ -2,7 +2,7 @@
 
 Start a service first (`make serve`), then run
 
-    python clients/examples/01_record_and_replay.py recordings/mug__sweethome3d-KatorLegaz__coffee-mug__hand.npz
+    python clients/examples/08_record_and_replay.py recordings/mug__sweethome3d-KatorLegaz__coffee-mug__hand.npz
 """
 
 import sys
