@@ -19,7 +19,7 @@ def test_post_opens_a_session(service: Running) -> None:
     assert set(opened) == {"session_id", "category", "state", "expires_after_s", "encodings", "zenoh"}
     assert (opened["category"], opened["state"]) == ("mug", "tracking")
     assert opened["expires_after_s"] == pytest.approx(42, abs=1)
-    assert opened["encodings"] == [F32, I16]
+    assert opened["encodings"] == [F32, I16, "application/cdr"]
     assert opened["zenoh"] == {
         "cloud": f"captra/default/sessions/{session_id}/cloud",
         "pose": f"captra/default/sessions/{session_id}/pose",
@@ -147,7 +147,7 @@ def test_categories_tell_what_can_be_tracked(service: Running) -> None:
     laptop = categories["laptop_articulated"]
     assert (laptop["parts"], laptop["root"], laptop["surroundings"]) == (["base", "display"], "base", False)
     assert laptop["joints"][0] == {
-        "name": "hinge", "kind": "revolute", "child": "display", "parent": "base", "axis": [1, 0, 0],
+        "name": "hinge", "kind": "revolute", "child": "display", "parent": "base", "axis": [-1, 0, 0],
     }  # fmt: skip
 
 
