@@ -78,7 +78,7 @@ def explain(error: ModuleNotFoundError, prefer: str = "") -> str | None:
     """
     missing = (error.name or "").partition(".")[0]
     extras = extras_with(missing, _requirements())
-    if not extras:
+    if not extras or missing == DISTRIBUTION:  # its own extras name each other; a module it lacks is a defect
         return None
     package = prefer.partition(".")[0]
     extra = package if package in extras else extras[0]
