@@ -1,6 +1,6 @@
 """Follow every part of an object with joints, and how far they are open.
 
-    python clients/examples/03_joints.py recordings/drawers__sweethome3d-BlendSwap-CC-0__drawersCabinet__hand.npz
+    python clients/examples/03_joints.py recordings/scissors__sweethome3d-BlendSwap-CC-0__cissors_swap__hand.npz
 
 Articulated objects have a pose for each part, given and answered in the order of `GET /v1/categories`, and a value for
 each joint: radians for hinges, metres for slides, zero at rest. Their clouds hold the object alone: segment it first.

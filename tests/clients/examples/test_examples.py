@@ -81,12 +81,12 @@ def test_first_pose_of_ones_own(run: Run) -> None:
 
 
 def test_joints(run: Run) -> None:
-    with running("drawers") as service:
+    with running("scissors") as service:
         assert service.service.readiness.wait_prepared(30)
         parts, *lines = run("03", at=str(service.http.base_url))
-    assert parts == "parts: lowest, middle, top, base"
+    assert parts == "parts: right_half, left_half"
     assert len(lines) == FRAMES
-    assert all("top_slide " in line for line in lines)
+    assert all("pivot " in line for line in lines)
 
 
 def test_health(run: Run) -> None:
