@@ -155,15 +155,31 @@ class Registry:
                 except UnknownSessionError:
                     continue  # someone else closed it first
 
+    def drain(self, timeout_s: float) -> None:
+        """Take no more sessions and no more clouds by Zenoh, and finish the frames in hand.
+
+        A session whose frame takes longer is left behind: it stays stored, as it was before that frame.
+        """
+        with self._lock:
+            self._stopped = True
+            entries = list(self._open.values())
+        for _, stream in entries:
+            stream.stop_receiving()
+        end_s = time.monotonic() + timeout_s
+        for session, stream in entries:  # by now the frames in hand finish side by side
+            left_s = max(0.0, end_s - time.monotonic())
+            if not (stream.finish(left_s) and session.wait_idle(left_s)):
+                logger.error("session left behind in mid-frame", extra={"session_id": session.session_id})
+                with self._lock:
+                    self._open.pop(session.session_id, None)
+
     def shut_down(self) -> None:
         """End every session in this process; they stay stored, so that another can go on with them."""
         with self._lock:
             entries = list(self._open.values())
             self._open.clear()
             self._stopped = True
-        for _, stream in entries:
-            stream.stop_receiving()
-        for session, stream in entries:  # by now the frames in hand finish side by side
+        for session, stream in entries:
             self._end(session, stream, CloseReason.SHUTDOWN)
 
     def _begin(self, record: SessionRecord) -> Session:

@@ -1,9 +1,7 @@
 """One service process: from settings to a clean end."""
 
 import logging
-import signal
 from collections.abc import Callable
-from types import FrameType
 
 import zenoh
 
@@ -14,6 +12,7 @@ from service.rest.app import create_app
 from service.router import ZenohTransport
 from service.security.wiring import check_exposure, check_files, zenoh_entries
 from service.settings import Settings
+from service.shutdown import Shutdown
 from service.sqlite_store import SqliteSessionStore
 from service.tracking_service import TrackingService
 
@@ -41,7 +40,9 @@ def build_service(settings: Settings) -> TrackingService:
 
 
 def run(settings: Settings, build: Callable[[Settings], TrackingService] = build_service) -> None:
-    """Serve what `build` makes until SIGTERM or SIGINT, then finish what is in hand; call it on the main thread.
+    """Serve what `build` makes until SIGTERM or SIGINT, then finish what is in hand.
+
+    Call it on the main thread of a process that ends when it returns: one that does not is ended by force.
 
     Raises:
         ExposedError: others would reach a service that nothing guards.
@@ -58,22 +59,8 @@ def run(settings: Settings, build: Callable[[Settings], TrackingService] = build
         server = HttpServer(
             create_app(service), settings.shutdown_timeout_s, settings.http_tls_cert, settings.http_tls_key
         )
-        stop_on_signals(service, server)
+        Shutdown(service, server).on_signals()
         host, port = listener.getsockname()[:2]
         scheme = "http" if settings.http_tls_cert is None else "https"
         logger.info("serving", extra={"http": f"{scheme}://{host}:{port}", "zenoh": service.transport.endpoints})
         server.run(sockets=[listener])
-
-
-def stop_on_signals(service: TrackingService, server: HttpServer) -> None:
-    """Stop gently on the first SIGTERM or SIGINT; a second one ends the process at once."""
-    signals = (signal.SIGTERM, signal.SIGINT)
-
-    def stop(number: int, frame: FrameType | None) -> None:  # noqa: ARG001 - signal handlers take both
-        service.readiness.stopping()
-        server.stop()
-        for each in signals:
-            signal.signal(each, signal.SIG_DFL)
-
-    for each in signals:
-        signal.signal(each, stop)

@@ -171,6 +171,13 @@ class Session:
                 EventKind.POSE_REJECTED, self._last_result.state, reason=rejection.reason, detail=rejection.detail
             )
 
+    def wait_idle(self, timeout_s: float) -> bool:
+        """Wait until no frame is in hand; whether that came about within `timeout_s`."""
+        idle = self._lock.acquire(timeout=timeout_s)
+        if idle:
+            self._lock.release()
+        return idle
+
     def close(self, reason: CloseReason) -> None:
         """Finish the frame in hand and take no more."""
         with self._lock:

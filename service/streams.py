@@ -92,9 +92,10 @@ class SessionStream:
             self._stopped = True
             self._clouds.undeclare()
 
-    def finish(self) -> None:
-        """Wait for the one in hand."""
-        self._thread.join()
+    def finish(self, timeout_s: float | None = None) -> bool:
+        """Wait for the one in hand; whether it was done within `timeout_s`, if that is given."""
+        self._thread.join(timeout_s)
+        return not self._thread.is_alive()
 
     def close(self) -> None:
         """Withdraw the keys."""

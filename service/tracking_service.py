@@ -60,12 +60,21 @@ class TrackingService:
         self._sweeper.start()
         self._preparing.start()
 
+    def drain(self) -> None:
+        """Finish the frames in hand, for as long as they may take; nothing new is begun."""
+        self.readiness.stopping()
+        self.registry.drain(self.settings.shutdown_timeout_s)
+
+    def store_state(self) -> None:
+        """Write down what the store still holds; nothing is kept afterwards."""
+        self._store.close()
+
     def stop(self) -> None:
         """Finish frames in hand, tell clients, withdraw every key, close."""
-        self.readiness.stopping()
+        self.drain()
         self._sweeper.stop()
         self.registry.shut_down()
-        self._store.close()
+        self.store_state()
         self.transport.close()
         logger.info("stopped")
 

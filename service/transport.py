@@ -12,8 +12,8 @@ class Stream(Protocol):
     def stop_receiving(self) -> None:
         """Take no more clouds; more than once does no harm."""
 
-    def finish(self) -> None:
-        """Wait for the one in hand."""
+    def finish(self, timeout_s: float | None = None) -> bool:
+        """Wait for the one in hand; whether it was done within `timeout_s`, if that is given."""
 
     def close(self) -> None:
         """Withdraw what was declared; nothing can be told afterwards."""

@@ -1,8 +1,9 @@
-"""A service process whose networks take their time; run by test_process.
+"""A service process whose networks take their time, FRAME_S seconds a frame; run as a process by tests.
 
 Says `asked` on standard output when a frame is in hand, and at its end which of some modules are loaded.
 """
 
+import os
 import sys
 import time
 from collections.abc import Sequence
@@ -14,9 +15,13 @@ from captra.sampling import Neighborhoods
 from service.router import ZenohTransport
 from service.run import run
 from service.settings import Settings
-from service.store import InMemorySessionStore
+from service.sqlite_store import SqliteSessionStore
 from service.tracking_service import TrackingService
 from tests.service.support import CentreNetworks, CentreProvider
+
+FRAME_S = float(os.environ.get("FRAME_S", "0.5"))
+HANGS = "laptop"
+"""A category whose frames never end."""
 
 
 class SlowNetworks(CentreNetworks):
@@ -24,7 +29,7 @@ class SlowNetworks(CentreNetworks):
         self, points_canonical: Float32[ndarray, "parts points 3"], neighborhoods: Sequence[Neighborhoods]
     ) -> Float32[ndarray, "parts points width"]:
         print("asked", flush=True)  # noqa: T201
-        time.sleep(0.5)
+        time.sleep(3600 if self.category.name == HANGS else FRAME_S)
         return super().rotations(points_canonical, neighborhoods)
 
 
@@ -36,7 +41,8 @@ class SlowProvider(CentreProvider):
 
 def build(settings: Settings) -> TrackingService:
     transport = ZenohTransport(settings.service, settings.zenoh_listen, (), settings.max_payload_bytes)
-    return TrackingService(settings, SlowProvider("mug"), InMemorySessionStore(), transport)
+    store = SqliteSessionStore(settings.state_dir / f"{settings.service}.sqlite")
+    return TrackingService(settings, SlowProvider("mug", HANGS), store, transport)
 
 
 if __name__ == "__main__":
