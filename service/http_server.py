@@ -45,6 +45,8 @@ class HttpServer(uvicorn.Server):
                 server_header=False,
                 ssl_certfile=certificate,
                 ssl_keyfile=key,
+                ws_per_message_deflate=False,  # clouds hardly shrink, and trying would take time from tracking
+                ws_max_size=2**16,  # viewers send a few words
                 timeout_graceful_shutdown=max(1, round(shutdown_timeout_s)),
             )
         )

@@ -38,6 +38,11 @@ class ServiceKeys:
         """Key expression of the tokens of all clients."""
         return f"captra/{self.service}/sessions/*/{CLIENT}"
 
+    @property
+    def previews(self) -> str:
+        """Key expression of clouds that no session tracks; the last chunk is a name that the client chooses."""
+        return f"captra/{self.service}/previews/*"
+
     def session(self, session_id: str) -> SessionKeys:
         """Keys of a session."""
         root = f"captra/{self.service}/sessions/{session_id}"

@@ -3,16 +3,18 @@
 import json
 import logging
 import threading
-from collections.abc import Mapping
+import time
+from collections.abc import Callable, Mapping
 from contextlib import ExitStack
 from types import MappingProxyType
 from typing import Any
 
 import zenoh
 
+from service.envelopes import Envelope
 from service.keys import ServiceKeys, SessionKeys
 from service.session import Session
-from service.streams import SessionStream
+from service.streams import SessionStream, envelope_of
 from service.transport import TransportError
 
 logger = logging.getLogger(__name__)
@@ -51,6 +53,7 @@ class ZenohTransport:
         self._keys = ServiceKeys(service)
         self._listen = listen
         self._endpoints = advertise or listen
+        self._max_payload_bytes = max_payload_bytes
         self._max_message_bytes = (
             4 * max_payload_bytes
         )  # what is only somewhat too large gets a reason instead of silence
@@ -98,6 +101,27 @@ class ZenohTransport:
         if client_there:
             session.client_there()
         return SessionStream(self._session, keys, session, on_close=lambda: self._sessions.pop(keys.client, None))
+
+    def subscribe_previews(self, take: Callable[[str, Envelope], None]) -> ExitStack:
+        """Call `take`, on a thread of Zenoh, with the name and the cloud of whatever comes on preview keys."""
+
+        def receive(sample: zenoh.Sample) -> None:
+            if sample.kind == zenoh.SampleKind.PUT and len(sample.payload) <= self._max_payload_bytes:
+                take(str(sample.key_expr).rpartition("/")[2], envelope_of(sample, time.perf_counter()))
+
+        subscription = ExitStack()
+        subscription.enter_context(self._session.declare_subscriber(self._keys.previews, receive))
+        return subscription
+
+    def put(self, key: str, envelope: Envelope) -> None:
+        """Put a cloud, as a client would."""
+        self._session.put(
+            key,
+            envelope.payload,
+            encoding=zenoh.Encoding(envelope.encoding),
+            attachment=envelope.attachment,
+            congestion_control=zenoh.CongestionControl.DROP,
+        )
 
     def close(self) -> None:
         """Stop listening."""

@@ -16,7 +16,7 @@ from service.envelopes import Envelope, FrameHeader, NumberedHeader
 from service.ledger import Ledger
 from service.liveness import CloseReason, Liveness
 from service.networks import Engine
-from service.observer import NullObserver, Observer
+from service.observer import Observer, Observers
 from service.rejections import (
     InternalError,
     NoPointsNearObjectError,
@@ -70,7 +70,7 @@ class Session:
         self._trusted = record.trusted
         self._tracker = engine.start(record.trusted.pose)
         self._sequence = Sequence(record.trusted.seq)
-        self._observer: Observer = NullObserver()
+        self._observers = Observers()
         self._closed = False
         self._lock = threading.Lock()
         self._last_result = self._reporter.given(record.trusted.pose)
@@ -103,9 +103,14 @@ class Session:
                 logger.exception("client not stored", extra={"session_id": self.session_id})
 
     def observe(self, observer: Observer) -> None:
-        """Tell `observer` from now on."""
+        """Tell `observer` too, from now on."""
         with self._lock:
-            self._observer = observer
+            self._observers.add(observer)
+
+    def unobserve(self, observer: Observer) -> None:
+        """Tell `observer` no more."""
+        with self._lock:
+            self._observers.remove(observer)
 
     def process(self, envelope: Envelope) -> Result:
         """Track the object in one more cloud.
@@ -206,6 +211,7 @@ class Session:
     ) -> Result:
         self._check_open()
         self._sequence.check(header.seq)
+        self._observers.cloud(header, observation)
         try:
             tracked = self._tracker.step(observation, segmentation)
         except NoPointsError as error:
@@ -225,7 +231,7 @@ class Session:
 
     def _publish(self, result: Result, previous: State) -> None:
         started_s = time.perf_counter()
-        self._observer.result(result)
+        self._observers.result(result)
         timing = result.timing_ms
         self.ledger.spent(
             queue=timing.queue,
@@ -264,4 +270,4 @@ class Session:
         detail: str | None = None,
     ) -> None:
         state = self._last_result.state
-        self._observer.event(Event(kind, self.session_id, state, previous, seq, stamp_ns, reason, detail))
+        self._observers.event(Event(kind, self.session_id, state, previous, seq, stamp_ns, reason, detail))

@@ -55,6 +55,8 @@ class Settings(BaseSettings):
     """Name of this deployment in every Zenoh key; another process that takes the deployment over keeps it."""
     models_dir: Path = Path(__file__).resolve().parent.parent / "models"
     """Folder of model bundles, one a category."""
+    recordings_dir: Path = Path(__file__).resolve().parent.parent / "recordings"
+    """Folder of recordings that the live page offers to play."""
     state_dir: Path = Field(default_factory=lambda: Path.home() / ".local" / "state" / "captra")
     """Folder for state that outlives the process: one SQLite file of sessions for each deployment."""
     profile: ProfileName = "realtime"

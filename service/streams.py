@@ -5,12 +5,14 @@ import threading
 import time
 from collections.abc import Callable
 from contextlib import ExitStack, suppress
+from dataclasses import replace
 
 import zenoh
 from zenoh import ext
 
+from captra.observations import Observation
 from service.announcer import Announcer
-from service.envelopes import Envelope
+from service.envelopes import Envelope, NumberedHeader
 from service.keys import SessionKeys
 from service.rejections import RejectedError, UnknownSessionError, WrongSecretError
 from service.results import Event, Result
@@ -51,6 +53,17 @@ def withdraw(publisher: zenoh.Publisher) -> None:
         publisher.undeclare()
 
 
+def envelope_of(sample: zenoh.Sample, arrived_s: float) -> Envelope:
+    """A cloud as Zenoh brought it."""
+    attachment = sample.attachment
+    return Envelope(
+        encoding=str(sample.encoding),
+        payload=sample.payload.to_bytes(),
+        attachment=None if attachment is None else attachment.to_bytes(),
+        arrived_s=arrived_s,
+    )
+
+
 class SessionStream:
     """Observes a session and feeds it: a thread of its own takes the newest cloud whenever the last one is done."""
 
@@ -77,6 +90,9 @@ class SessionStream:
             self._thread = threading.Thread(target=self._run, name=f"captra-stream-{session.session_id}", daemon=True)
             self._thread.start()
             self._resources = resources.pop_all()
+
+    def cloud(self, header: NumberedHeader, observation: Observation) -> None:
+        """Clients know their clouds."""
 
     def result(self, result: Result) -> None:
         """Put a result."""
@@ -124,20 +140,14 @@ class SessionStream:
         except RejectedError as rejection:
             self._session.refuse(rejection)
             return
-        attachment = None if sample.attachment is None else sample.attachment.to_bytes()
+        envelope = envelope_of(sample, self._arrival_s(sample))
         try:
-            attachment = self._session.admission.admit(attachment)
+            admitted = self._session.admission.admit(envelope.attachment)
         except WrongSecretError as rejection:
             self._session.turn_away(rejection)
             return
-        envelope = Envelope(
-            encoding=str(sample.encoding),
-            payload=sample.payload.to_bytes(),
-            attachment=attachment,
-            arrived_s=self._arrival_s(sample),
-        )
         try:
-            self._session.process(envelope)
+            self._session.process(replace(envelope, attachment=admitted))
         except UnknownSessionError:
             logger.debug("cloud for a closed session", extra={"session_id": self._session.session_id})
         except RejectedError:

@@ -1,7 +1,10 @@
 """How sessions are reached other than by HTTP."""
 
+from collections.abc import Callable
+from contextlib import ExitStack
 from typing import Protocol
 
+from service.envelopes import Envelope
 from service.keys import SessionKeys
 from service.session import Session
 
@@ -34,6 +37,12 @@ class Transport(Protocol):
 
     def attach(self, session: Session) -> Stream:
         """Connect a session."""
+
+    def subscribe_previews(self, take: Callable[[str, Envelope], None]) -> ExitStack:
+        """Call `take` with the name and the cloud of whatever comes on preview keys, until the stack is closed."""
+
+    def put(self, key: str, envelope: Envelope) -> None:
+        """Put a cloud, as a client would."""
 
     def close(self) -> None:
         """Stop listening, after all streams are closed."""

@@ -10,6 +10,8 @@ from service.rest.dependencies import Workers
 from service.rest.guard import Guard
 from service.security.wiring import gate_of
 from service.tracking_service import TrackingService
+from service.viewer import pages, socket
+from service.viewer.previews import Previews
 
 DESCRIPTION = """
 Where is this object now? Open a session with the first pose of an object of a known category, stream point clouds
@@ -41,9 +43,12 @@ def create_app(service: TrackingService) -> FastAPI:
     app = CaptraApi(title="captra", version=captra.__version__, description=DESCRIPTION, docs_url=None, redoc_url=None)
     app.state.service = service
     app.state.workers = Workers()
+    app.state.previews = Previews(service)
     problems.install(app)
     documentation.install(app)
     app.add_middleware(Guard, gate=gate_of(service.settings))
     for module in (sessions, frames, catalog, probes):
         app.include_router(module.router)
+    app.include_router(socket.router)
+    pages.install(app, service.settings.recordings_dir)
     return app

@@ -1,0 +1,1 @@
+"""The live page: static files, recordings to play, and one websocket a viewer."""

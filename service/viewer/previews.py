@@ -1,0 +1,99 @@
+"""Clouds of no session yet: whatever clients put on preview keys while somebody looks, or while a session is fed."""
+
+import threading
+from collections.abc import Callable
+from contextlib import ExitStack
+
+from service.envelopes import Envelope
+from service.rejections import UnknownSessionError
+from service.tracking_service import TrackingService
+
+MOST_PREVIEWS = 16
+"""Names that are remembered; further ones are not listed."""
+
+Take = Callable[[Envelope], None]
+
+
+class Previews:
+    """Subscribes while it is needed, keeps the newest cloud of each name, and feeds sessions that were opened on one.
+
+    Its methods may be called from any thread.
+    """
+
+    def __init__(self, service: TrackingService) -> None:
+        self._service = service
+        self._lock = threading.RLock()
+        self._subscription: ExitStack | None = None
+        self._viewers = 0
+        self._newest: dict[str, Envelope] = {}
+        self._listeners: dict[str, tuple[Take, ...]] = {}
+        self._fed: dict[str, tuple[str, ...]] = {}
+
+    def names(self) -> list[str]:
+        """Previews that clouds came from."""
+        return sorted(self._newest)
+
+    def open(self) -> None:
+        """One more viewer is there."""
+        with self._lock:
+            self._viewers += 1
+            self._adjust()
+
+    def close(self) -> None:
+        """One viewer less."""
+        with self._lock:
+            self._viewers -= 1
+            self._adjust()
+
+    def listen(self, name: str, take: Take) -> None:
+        """Call `take` with the newest cloud, if there is one, and all further ones."""
+        with self._lock:
+            self._listeners[name] = (*self._listeners.get(name, ()), take)
+            newest = self._newest.get(name)
+        if newest is not None:
+            take(newest)
+
+    def unlisten(self, name: str, take: Take) -> None:
+        """Call `take` no more."""
+        with self._lock:
+            self._listeners[name] = tuple(each for each in self._listeners.get(name, ()) if each != take)
+
+    def feed(self, name: str, session_id: str) -> None:
+        """Put every further cloud of a preview on a session's key too, until the session is closed.
+
+        Raises:
+            UnknownSessionError: no such session is open.
+        """
+        self._service.registry.get(session_id)
+        with self._lock:
+            self._fed[name] = (*self._fed.get(name, ()), session_id)
+            self._adjust()
+
+    def _adjust(self) -> None:
+        needed = self._viewers > 0 or any(self._fed.values())
+        if needed and self._subscription is None:
+            self._subscription = self._service.transport.subscribe_previews(self._take)
+        elif not needed and self._subscription is not None:
+            self._subscription.close()
+            self._subscription = None
+            self._newest.clear()
+
+    def _take(self, name: str, envelope: Envelope) -> None:
+        with self._lock:
+            if name not in self._newest and len(self._newest) >= MOST_PREVIEWS:
+                return
+            self._newest[name] = envelope
+            listeners, fed = self._listeners.get(name, ()), self._fed.get(name, ())
+        for take in listeners:
+            take(envelope)
+        for session_id in fed:
+            self._forward(name, session_id, envelope)
+
+    def _forward(self, name: str, session_id: str, envelope: Envelope) -> None:
+        try:
+            self._service.registry.get(session_id)
+        except UnknownSessionError:
+            with self._lock:
+                self._fed[name] = tuple(each for each in self._fed[name] if each != session_id)
+            return
+        self._service.transport.put(self._service.transport.keys(session_id).cloud, envelope)
