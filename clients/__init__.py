@@ -1,6 +1,8 @@
 """Talking to a running service: the Python client, the recordings player and the command-line tools."""
 
-from clients.clouds import Frame, crop_ball, thin_out
+from clients.camera import Camera
+from clients.clouds import crop_ball, thin_out
+from clients.depth import DepthImage, DepthPng
 from clients.errors import (
     ClientError,
     FrameRejectedError,
@@ -9,17 +11,26 @@ from clients.errors import (
     ServiceUnreachableError,
     SessionClosedError,
 )
+from clients.packing import Frame
+from clients.point_cloud2 import PointCloud2
+from clients.regions import Box, Mask
 from clients.results import Event, JointState, PartPose, Result, Timing
 from clients.session import Session, open_session
 
 __all__ = [
+    "Box",
+    "Camera",
     "ClientError",
+    "DepthImage",
+    "DepthPng",
     "Event",
     "Frame",
     "FrameRejectedError",
     "JointState",
+    "Mask",
     "NoResultError",
     "PartPose",
+    "PointCloud2",
     "RequestRefusedError",
     "Result",
     "ServiceUnreachableError",

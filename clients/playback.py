@@ -9,7 +9,7 @@ import numpy as np
 
 from captra.data.recordings import Recording
 from captra.geometry import Pose
-from clients.clouds import Frame
+from clients.packing import Frame
 from clients.results import Event, Result
 from clients.session import Session, open_session
 

@@ -29,6 +29,8 @@ class RecordedFrame:
     """Of the payload."""
     payload: bytes
     """The cloud or image."""
+    region: bytes
+    """Its mask or box, packed as in an attachment; empty where it had none."""
 
 
 @dataclass(frozen=True)
@@ -83,8 +85,7 @@ def replay(url: str | None, path: Path, watch: Callable[[Result], None]) -> list
                 if name == SESSION:
                     session_id = api.post_session(body)["session_id"]
                 elif name == FRAME:
-                    payload = base64.b64decode(body["payload"])
-                    frames[body["seq"]] = RecordedFrame(body["seq"], body["stamp_ns"], body["encoding"], payload)
+                    frames[body["seq"]] = frame_of(body)
                 elif name == RESET and session_id is not None:
                     api.put_pose(session_id, body)
                 elif name == RESULT and session_id is not None and body["seq"] in frames:
@@ -98,7 +99,15 @@ def replay(url: str | None, path: Path, watch: Callable[[Result], None]) -> list
     return pairs
 
 
+def frame_of(body: Mapping[str, Any]) -> RecordedFrame:
+    """A frame as it was recorded."""
+    payload, region = (base64.b64decode(body.get(name, "")) for name in ("payload", "mask"))
+    return RecordedFrame(body["seq"], body["stamp_ns"], body["encoding"], payload, region)
+
+
 def again(api: RestApi, session_id: str, frame: RecordedFrame, recorded: Result) -> Replayed:
     """One frame through the service."""
-    answer = api.post_frame(session_id, frame.payload, frame.encoding, seq=frame.seq, stamp_ns=frame.stamp_ns)
+    answer = api.post_frame(
+        session_id, frame.payload, frame.encoding, seq=frame.seq, stamp_ns=frame.stamp_ns, region=frame.region
+    )
     return Replayed(recorded, parse_result(answer))

@@ -11,6 +11,7 @@ import httpx
 from captra.geometry import Pose
 from clients.credentials import Credentials
 from clients.errors import RequestRefusedError, ServiceUnreachableError
+from clients.regions import PACKED_BOX
 
 DEFAULT_URL = "http://127.0.0.1:8080"
 URL_VARIABLE = "CAPTRA_URL"
@@ -95,16 +96,16 @@ class RestApi:
         self._call("PUT", f"/v1/sessions/{session_id}/pose", json=body)
 
     def post_frame(
-        self, session_id: str, payload: bytes, media_type: str, *, seq: int, stamp_ns: int
+        self, session_id: str, payload: bytes, media_type: str, *, seq: int, stamp_ns: int, region: bytes = b""
     ) -> Mapping[str, Any]:
-        """POST one cloud; the answer is its result."""
-        return self._call(
-            "POST",
-            f"/v1/sessions/{session_id}/frames",
-            params={"seq": seq, "stamp_ns": stamp_ns},
-            content=payload,
-            headers={"Content-Type": media_type},
-        )
+        """POST one frame with its mask or box, packed as in an attachment; the answer is its result."""
+        path, params = f"/v1/sessions/{session_id}/frames", {"seq": str(seq), "stamp_ns": str(stamp_ns)}
+        if region and len(region) != PACKED_BOX.size:
+            files = {"cloud": ("cloud", payload, media_type), "mask": ("mask.png", region, "image/png")}
+            return self._call("POST", path, params=params, files=files)
+        if region:
+            params["box"] = ",".join(str(edge) for edge in PACKED_BOX.unpack(region))
+        return self._call("POST", path, params=params, content=payload, headers={"Content-Type": media_type})
 
     def delete(self, session_id: str) -> None:
         """Close a session; one that is gone already is fine."""

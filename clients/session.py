@@ -9,25 +9,23 @@ from dataclasses import replace
 from pathlib import Path
 from threading import Lock
 from types import TracebackType
-from typing import Self
-
-import numpy as np
-from jaxtyping import Float
+from typing import Literal, Self
 
 from captra.geometry import Pose
 from clients import tracking
-from clients.clouds import CloudEncoding, Frame, get_encoding
+from clients.camera import Camera
+from clients.clouds import get_encoding
 from clients.errors import NoResultError, ServiceUnreachableError
 from clients.inbox import Inbox
+from clients.packing import Frame, Observation, Packer
 from clients.recorder import Recorder, recorder_for
+from clients.regions import Region
 from clients.rest import OpenedSession, RestApi, parts_of, session_body
 from clients.results import Event, Result, parse_event, parse_result
 from clients.stream import CloudStream
 
 REMEMBERED_FRAMES = 256
 """How many clouds' times of departure are kept to tell round trips."""
-
-Cloud = Float[np.ndarray, "points 3"]
 
 
 def open_session(
@@ -39,6 +37,8 @@ def open_session(
     frame_id: str | None = None,
     idle_timeout_s: float | None = None,
     encoding: str = "i16",
+    camera: Camera | None = None,
+    masks: Literal["object", "parts"] | None = None,
     record: Path | str | None = None,
     timeout_s: float = 10.0,
 ) -> "Session":
@@ -53,6 +53,9 @@ def open_session(
         idle_timeout_s: the service closes the session after so long without a cloud.
         encoding: `i16` (0.1 mm steps, ±3.27 m, 10,000 points in one Zenoh batch: finer than any depth camera, and half
             the bytes) or `f32`, for scenes that reach further.
+        camera: where depth images are sent, the camera that takes them; poses are then in its optical frame.
+        masks: where frames bring a `Mask` or `Box`, what a mask's values mean: `object` (zero is background) or `parts`
+            (k is part k of the category).
         record: file to write everything into that is sent and received, *.mcap; `captra track` replays it.
         timeout_s: the longest wait for an answer by HTTP, and for the connection by Zenoh.
 
@@ -60,33 +63,39 @@ def open_session(
         RequestRefusedError: the service does not accept it; `reason` says why.
         ServiceUnreachableError: no service at the address.
     """
-    chosen = get_encoding(encoding)
-    options = {"profile": profile, "frame_id": frame_id, "idle_timeout_s": idle_timeout_s}
+    packer = Packer(get_encoding(encoding), camera, masks)
+    options = {
+        "profile": profile,
+        "frame_id": frame_id,
+        "idle_timeout_s": idle_timeout_s,
+        "camera": None if camera is None else camera.body(),
+        "masks": masks,
+    }
     with ExitStack() as resources:
         api = resources.enter_context(closing(RestApi(url, timeout_s)))
         recorder = recorder_for(record)
         resources.callback(recorder.close)
         recorder.session(session_body(category, pose, options))
-        return Session(api, api.open(category, pose, options), chosen, resources, recorder)
+        return Session(api, api.open(category, pose, options), packer, resources, recorder)
 
 
 class Session:
     """One tracked object. Puts may come from any thread, results are read by one."""
 
     def __init__(
-        self, api: RestApi, opened: OpenedSession, encoding: CloudEncoding, resources: ExitStack, recorder: Recorder
+        self, api: RestApi, opened: OpenedSession, packer: Packer, resources: ExitStack, recorder: Recorder
     ) -> None:
         """Takes over what `resources` holds and closes it when the session is closed."""
         self._api = api
         self._opened = opened
-        self._encoding = encoding
+        self._packer = packer
         self._recorder = recorder
         self._inbox: Inbox[tracking.Message] = Inbox()
         self._departures: OrderedDict[int, float] = OrderedDict()
         self._lock = Lock()
         self._next_seq = 0
         self._latest: Result | None = None
-        self._stream = CloudStream(opened, encoding.media_type, self._take_result, self._take_event)
+        self._stream = CloudStream(opened, self._take_result, self._take_event)
         resources.callback(self._delete)
         self._stream.open(api.timeout_s)
         resources.callback(self._stream.close)
@@ -109,35 +118,41 @@ class Session:
         """The newest result, whether it was read or not; None before the first."""
         return self._latest
 
-    def put(self, points: Cloud, stamp_ns: int | None = None) -> int:
-        """Send a cloud and return at once; the returned number is the `seq` of its result.
+    def put(self, observation: Observation, stamp_ns: int | None = None, mask: Region | None = None) -> int:
+        """Send a cloud or an image and return at once; the returned number is the `seq` of its result.
 
-        The freshest cloud wins: one that arrives while the service works on another replaces any that waits, so results
-        may skip numbers but never lag behind. Keep a cloud under 64 KB (`crop_ball`, `thin_out`) where the network is
-        not loopback. Without `stamp_ns` the cloud carries the present time.
+        The freshest wins: one that arrives while the service works on another replaces any that waits, so results may
+        skip numbers but never lag behind. Keep a cloud under 64 KB (`crop_ball`, `thin_out`) where the network is
+        not loopback. Without `stamp_ns` it carries the present time; a PointCloud2 has its own.
+
+        Raises:
+            ValueError: this cannot be sent in this session; the message says what to change.
         """
-        payload = self._encoding.encode(points)
+        packed = self._packer.pack(observation, mask)
         with self._lock:
             seq = self._number()
             self._departures[seq] = time.perf_counter()
             if len(self._departures) > REMEMBERED_FRAMES:
                 self._departures.popitem(last=False)
             stamp_ns = time.time_ns() if stamp_ns is None else stamp_ns
-            self._recorder.frame(payload, self._encoding.media_type, seq, stamp_ns, np.reshape(points, (-1, 3)))
-            self._stream.put(payload, seq, stamp_ns)
+            self._recorder.frame(packed, seq, stamp_ns)
+            self._stream.put(packed, seq, stamp_ns)
         return seq
 
-    def post(self, points: Cloud, stamp_ns: int | None = None) -> Result:
-        """Send a cloud by HTTP and wait for its result: simpler and slower than Zenoh.
+    def post(self, observation: Observation, stamp_ns: int | None = None, mask: Region | None = None) -> Result:
+        """Send a cloud or an image by HTTP and wait for its result: simpler and slower than Zenoh.
 
         Raises:
-            RequestRefusedError: the service could not use the cloud; `reason` says why.
+            ValueError: this cannot be sent in this session; the message says what to change.
+            RequestRefusedError: the service could not use it; `reason` says why.
         """
-        payload = self._encoding.encode(points)
+        packed = self._packer.pack(observation, mask)
         with self._lock:
             seq = self._number()
         stamp_ns = time.time_ns() if stamp_ns is None else stamp_ns
-        answer = self._api.post_frame(self.session_id, payload, self._encoding.media_type, seq=seq, stamp_ns=stamp_ns)
+        answer = self._api.post_frame(
+            self.session_id, packed.payload, packed.media_type, seq=seq, stamp_ns=stamp_ns, region=packed.region
+        )
         return parse_result(answer)
 
     def receive(self, timeout_s: float = 5.0) -> Result | Event:
@@ -156,32 +171,36 @@ class Session:
 
     def track(
         self,
-        clouds: Iterable[Cloud | Frame],
+        observations: Iterable[Observation | Frame],
         *,
         rate_hz: float | None = None,
         on_event: Callable[[Event], None] = tracking.raise_rejections,
         timeout_s: float = 5.0,
     ) -> Iterator[Result]:
-        """Send clouds and yield the results as they come.
+        """Send clouds or images and yield the results as they come.
 
-        Without `rate_hz` each cloud is put when the result of the one before is there: every cloud gets its result, as
-        fast as the service can. With it clouds are put at that rate whatever the service does, as a camera would; the
-        freshest wins, so there may be fewer results than clouds. `Frame(points, stamp_ns)` gives a cloud its stamp.
+        Without `rate_hz` each is put when the result of the one before is there: every one gets its result, as fast as
+        the service can. With it they are put at that rate whatever the service does, as a camera would; the freshest
+        wins, so there may be fewer results. `Frame(cloud, stamp_ns, mask)` gives one its stamp and its mask.
 
         Args:
-            clouds: point clouds (N, 3) in metres, of any length; may block, like a camera.
-            rate_hz: clouds a second.
+            observations: point clouds (N, 3) in metres, of any length, or whatever `put` takes; may block, like a
+                camera.
+            rate_hz: how many a second.
             on_event: called with every event; by default a rejected cloud raises, pass `lambda event: None` to go on.
             timeout_s: the longest wait for a result.
 
         Raises:
-            FrameRejectedError: the service could not use a cloud; `reason` says why.
+            ValueError: one cannot be sent in this session; the message says what to change.
+            FrameRejectedError: the service could not use one; `reason` says why.
             NoResultError: no result within `timeout_s`.
             SessionClosedError: the service closed the session.
         """
         self._inbox.clear()
         line = tracking.Line(self.put, self._inbox, on_event, timeout_s)
-        return tracking.in_turn(line, clouds) if rate_hz is None else tracking.at_rate(line, clouds, rate_hz)
+        if rate_hz is None:
+            return tracking.in_turn(line, observations)
+        return tracking.at_rate(line, observations, rate_hz)
 
     def reset(self, pose: Pose) -> None:
         """Start again from a given pose, e.g. after the track was lost."""

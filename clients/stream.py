@@ -10,6 +10,7 @@ import zenoh
 from clients.clouds import attachment
 from clients.credentials import Credentials
 from clients.errors import ServiceUnreachableError
+from clients.packing import Packed
 from clients.rest import OpenedSession
 
 LONGEST_BACKLOG = 256
@@ -24,9 +25,8 @@ Receive = Callable[[bytes], None]
 class CloudStream:
     """A Zenoh session for one tracking session; open it with `with`."""
 
-    def __init__(self, opened: OpenedSession, media_type: str, on_result: Receive, on_event: Receive) -> None:
+    def __init__(self, opened: OpenedSession, on_result: Receive, on_event: Receive) -> None:
         self._opened = opened
-        self._media_type = media_type
         self._on_result = on_result
         self._on_event = on_event
         self._resources = ExitStack()
@@ -46,7 +46,6 @@ class CloudStream:
             self._publisher = resources.enter_context(
                 session.declare_publisher(
                     opened.cloud_key,
-                    encoding=self._media_type,
                     congestion_control=zenoh.CongestionControl.DROP,
                     reliability=zenoh.Reliability.BEST_EFFORT,
                     express=True,
@@ -55,9 +54,13 @@ class CloudStream:
             wait_for_subscriber(self._publisher, timeout_s)
             self._resources = resources.pop_all()
 
-    def put(self, payload: bytes, seq: int, stamp_ns: int) -> None:
-        """Send one cloud; it is dropped rather than kept waiting when the network is congested."""
-        self._publisher.put(payload, attachment=attachment(seq, stamp_ns) + self._opened.secret)
+    def put(self, packed: Packed, seq: int, stamp_ns: int) -> None:
+        """Send one frame; it is dropped rather than kept waiting when the network is congested."""
+        self._publisher.put(
+            packed.payload,
+            encoding=packed.media_type,
+            attachment=attachment(seq, stamp_ns) + packed.region + self._opened.secret,
+        )
 
     def close(self) -> None:
         """Withdraw the liveliness token, stop listening and disconnect."""

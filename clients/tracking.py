@@ -5,18 +5,14 @@ import time
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
-import numpy as np
-from jaxtyping import Float
-
-from clients.clouds import Frame
 from clients.errors import FrameRejectedError, NoResultError, SessionClosedError
 from clients.inbox import Inbox
+from clients.packing import Frame, Observation
+from clients.regions import Region
 from clients.results import Event, Result
 
 STRANGERS = "wrong-secret"
 """Why clouds are rejected that somebody else put on this session's key."""
-
-Cloud = Float[np.ndarray, "points 3"]
 
 
 @dataclass(frozen=True)
@@ -42,8 +38,8 @@ def raise_rejections(event: Event) -> None:
 class Line:
     """The way to the service and back."""
 
-    put: Callable[[Cloud, int | None], int]
-    """Sends a cloud with its stamp, returns its number."""
+    put: Callable[[Observation, int | None, Region | None], int]
+    """Sends what was seen with its stamp and mask, returns its number."""
     inbox: Inbox[Message]
     """What comes back."""
     on_event: Callable[[Event], None]
@@ -51,9 +47,9 @@ class Line:
     timeout_s: float
     """The longest wait for anything."""
 
-    def send(self, cloud: Cloud | Frame) -> int:
-        """Put a cloud, with its stamp where it has one."""
-        return self.put(cloud.points, cloud.stamp_ns) if isinstance(cloud, Frame) else self.put(cloud, None)
+    def send(self, seen: Observation | Frame) -> int:
+        """Put what was seen, with its stamp and mask where it has them."""
+        return self.put(*(seen if isinstance(seen, Frame) else Frame(seen)))
 
     def next(self, waiting_for: str) -> Message:
         """The next message; events have been handled when it returns.
@@ -84,7 +80,7 @@ def answered_seq(message: Message, unnumbered: int) -> int:
     return -1
 
 
-def in_turn(line: Line, clouds: Iterable[Cloud | Frame]) -> Iterator[Result]:
+def in_turn(line: Line, clouds: Iterable[Observation | Frame]) -> Iterator[Result]:
     """Put each cloud when the one before has been answered."""
     for cloud in clouds:
         seq = line.send(cloud)
@@ -96,7 +92,7 @@ def in_turn(line: Line, clouds: Iterable[Cloud | Frame]) -> Iterator[Result]:
                 yield message
 
 
-def at_rate(line: Line, clouds: Iterable[Cloud | Frame], rate_hz: float) -> Iterator[Result]:
+def at_rate(line: Line, clouds: Iterable[Observation | Frame], rate_hz: float) -> Iterator[Result]:
     """Put clouds from a thread of their own at a steady rate, and yield what comes back meanwhile."""
     stopped = threading.Event()
     feeder = threading.Thread(target=feed, args=(line, clouds, 1 / rate_hz, stopped), name="captra-feeder", daemon=True)
@@ -118,7 +114,7 @@ def at_rate(line: Line, clouds: Iterable[Cloud | Frame], rate_hz: float) -> Iter
         feeder.join(line.timeout_s)
 
 
-def feed(line: Line, clouds: Iterable[Cloud | Frame], period_s: float, stopped: threading.Event) -> None:
+def feed(line: Line, clouds: Iterable[Observation | Frame], period_s: float, stopped: threading.Event) -> None:
     """Put clouds on their beat, counted from the first one so that delays do not add up; ends with a `Fed` message."""
     seq, started = -1, None
     try:
