@@ -2,9 +2,9 @@
 
     python clients/examples/01_depth_camera.py recordings/mug__sweethome3d-KatorLegaz__coffee-mug__hand.npz
 
-Cameras give depth as 16-bit images in millimetres (some in tenths: mind the unit) and a matrix of intrinsics. Images are
-sent as they are; the service reads the pixels around the object. Here `depth_images` makes such images from a recording;
-put your camera's loop in its place, such as
+Cameras give depth as 16-bit images in millimetres (some in tenths: mind the unit) and a matrix of intrinsics. Images
+are sent as they are; the service reads the pixels around the object. Here `depth_images` makes such images from a
+recording; put your camera's loop in its place, such as
 
     while True:
         frames = pipeline.wait_for_frames()           # pyrealsense2

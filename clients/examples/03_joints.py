@@ -3,7 +3,8 @@
     python clients/examples/03_joints.py recordings/scissors__sweethome3d-BlendSwap-CC-0__cissors_swap__hand.npz
 
 Articulated objects have a pose for each part, given and answered in the order of `GET /v1/categories`, and a value for
-each joint: radians for hinges, metres for slides, zero at rest. Their clouds hold the object alone: segment it first.
+each joint: radians for hinges, metres for slides, zero at rest. Their clouds hold the object alone, or bring
+masks (09_masks.py).
 """
 
 import sys

@@ -2,14 +2,15 @@
 
     python clients/examples/09_masks.py recordings/scissors__sweethome3d-BlendSwap-CC-0__cissors_swap__hand.npz
 
-A mask takes the place of the network's own segmentation. Articulated objects need one wherever anything else is in view,
-as the table is here. `views` makes depth images and masks from a recording; put your camera and detector in its place:
+A mask takes the place of the network's own segmentation. Articulated objects need one wherever anything else is in
+view, as the table is here. `views` makes depth images and masks from a recording; put your camera and detector in its
+place:
 
     depth, colour = camera.read()                       # colour aligned with depth, pixel by pixel
     yield depth, detector(colour) > 0.5, time.time_ns()
 
-For a rigid object a box often does: `Frame(DepthImage(depth), stamp_ns, Box(left, top, right, bottom))`. Clouds may have
-masks too: one value for each point.
+For a rigid object a box often does: `Frame(DepthImage(depth), stamp_ns, Box(left, top, right, bottom))`. Clouds may
+have masks too: one value for each point.
 """
 
 import sys
