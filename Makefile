@@ -41,7 +41,8 @@ lint: venv
 	$(BIN)/mypy
 
 # The image without a container engine: every step of the Dockerfile in a folder, then a recording tracked by it. Root.
-image: venv
+# RUNTIME is that of the image; the environment that plays it through stays as it is.
+image: $(or $(firstword $(wildcard $(VENV)/installed-*)),$(STAMP))
 	$(BIN)/python -m docker.rehearse --runtime $(RUNTIME) $(ARGS)
 
 bench: venv

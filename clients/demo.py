@@ -5,9 +5,9 @@ from typing import Annotated
 
 import typer
 
+from captra.shipped import RECORDINGS
 from clients.cli import Pace, ProfileName
 
-RECORDINGS = Path(__file__).resolve().parents[1] / "recordings"
 COFFEE_MUG = RECORDINGS / "mug__sweethome3d-KatorLegaz__coffee-mug__hand.npz"
 
 

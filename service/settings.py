@@ -8,6 +8,8 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import BaseModel, ConfigDict, Field, StringConstraints, model_validator
 from pydantic_settings import BaseSettings, PydanticBaseSettingsSource, SettingsConfigDict, TomlConfigSettingsSource
 
+from captra import shipped
+
 CONFIG_VARIABLE = "CAPTRA_CONFIG"
 """Names the TOML file whose keys are the field names below."""
 
@@ -53,9 +55,9 @@ class Settings(BaseSettings):
     """Endpoints told to clients, where they differ from those listened on (behind NAT or a port mapping)."""
     service: KeyChunk = "default"
     """Name of this deployment in every Zenoh key; another process that takes the deployment over keeps it."""
-    models_dir: Path = Path(__file__).resolve().parent.parent / "models"
+    models_dir: Path = shipped.MODELS
     """Folder of model bundles, one a category."""
-    recordings_dir: Path = Path(__file__).resolve().parent.parent / "recordings"
+    recordings_dir: Path = shipped.RECORDINGS
     """Folder of recordings that the live page offers to play."""
     state_dir: Path = Field(default_factory=lambda: Path.home() / ".local" / "state" / "captra")
     """Folder for state that outlives the process: one SQLite file of sessions for each deployment."""
