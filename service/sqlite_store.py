@@ -3,7 +3,7 @@
 import logging
 import sqlite3
 import threading
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
@@ -46,6 +46,8 @@ class SqliteSessionStore:
             StoreError: the folder cannot be written, the file is no store, or another process has it.
         """
         self._flush_every_s = flush_every_s
+        self._on_failure: Callable[[], None] = lambda: None
+        self._poses_fail = False
         self._pending: dict[str, TrustedPose] = {}
         self._lock = threading.Lock()  # of what is pending; never held while the disk works
         self._writing = threading.Lock()
@@ -53,6 +55,10 @@ class SqliteSessionStore:
         self._connection = connect(path)
         self._thread = threading.Thread(target=self._run, name="captra-store", daemon=True)
         self._thread.start()
+
+    def watch(self, on_failure: Callable[[], None]) -> None:
+        """Call this from now on, whenever the file could not be written."""
+        self._on_failure = on_failure
 
     def save(self, record: SessionRecord) -> None:
         """Add or replace a session; it is in the file when this returns.
@@ -108,10 +114,16 @@ class SqliteSessionStore:
         rows = [(trusted_json(trusted), session_id) for session_id, trusted in pending.items()]
         try:
             self._write("UPDATE sessions SET trusted = ? WHERE session_id = ?", rows)
-        except sqlite3.Error:
-            logger.exception("trusted poses not stored", extra={"sessions": len(pending)})
+        except sqlite3.Error as error:
+            if not self._poses_fail:  # once, not ten times a second
+                logger.error("trusted poses not stored: %s", error, extra={"session_ids": list(pending)})
+            self._poses_fail = True
             with self._lock:
                 self._pending = pending | self._pending
+        else:
+            if self._poses_fail:
+                logger.info("trusted poses stored again")
+            self._poses_fail = False
 
     def close(self) -> None:
         """Write what is pending and let go of the file; once is enough, more does no harm."""
@@ -124,8 +136,12 @@ class SqliteSessionStore:
             self._connection.close()
 
     def _write(self, statement: str, rows: Sequence[tuple[Any, ...]]) -> None:
-        with self._writing, self._connection:
-            self._connection.executemany(statement, rows)
+        try:
+            with self._writing, self._connection:
+                self._connection.executemany(statement, rows)
+        except sqlite3.Error:
+            self._on_failure()
+            raise
 
     def _run(self) -> None:
         while not self._stopped.wait(self._flush_every_s):

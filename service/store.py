@@ -1,7 +1,7 @@
 """What must outlive a process: the settings of each session and its last trusted pose, behind one small interface."""
 
 import threading
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Protocol
 
@@ -54,6 +54,9 @@ class StoreError(RuntimeError):
 class SessionStore(Protocol):
     """Keeps records of open sessions; every method may be called from any thread and returns quickly."""
 
+    def watch(self, on_failure: Callable[[], None]) -> None:
+        """Call this from now on, whenever something could not be kept."""
+
     def save(self, record: SessionRecord) -> None:
         """Add or replace a session; raises StoreError when it cannot be kept."""
 
@@ -76,6 +79,9 @@ class InMemorySessionStore:
     def __init__(self) -> None:
         self._records: dict[str, SessionRecord] = {}
         self._lock = threading.Lock()
+
+    def watch(self, on_failure: Callable[[], None]) -> None:
+        """Memory does not fail."""
 
     def save(self, record: SessionRecord) -> None:
         """Add or replace a session."""

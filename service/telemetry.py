@@ -45,6 +45,9 @@ class Telemetry:
         self._closed = Counter(
             "captra_sessions_closed_total", "Sessions ended, by reason.", ["reason"], registry=registry
         )
+        self._store_failures = Counter(
+            "captra_store_failures_total", "Writes of sessions that failed.", registry=registry
+        )
         ProcessCollector(registry=registry)  # memory, file handles, CPU time
         self._stages = Histogram(
             "captra_stage_seconds",
@@ -82,6 +85,10 @@ class Telemetry:
     def session_closed(self, reason: CloseReason) -> None:
         """A session ended."""
         self._closed.labels(reason.value).inc()
+
+    def store_failed(self) -> None:
+        """The store could not be written."""
+        self._store_failures.inc()
 
     def event_dropped(self) -> None:
         """An event went untold."""

@@ -44,6 +44,7 @@ class TrackingService:
         )
         """Open sessions."""
         self._store = store
+        store.watch(self.telemetry.store_failed)
         self._sweeper = Sweeper(self.registry.sweep)
         self._preparing = threading.Thread(target=self._prepare, name="captra-prepare", daemon=True)
         self.readiness = Readiness()

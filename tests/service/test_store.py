@@ -1,6 +1,7 @@
 import sqlite3
 import threading
 import time
+from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -143,14 +144,22 @@ def test_unreadable_session_costs_no_other(tmp_path: Path) -> None:
     connection.close()
 
 
-def test_session_that_cannot_be_stored_is_not_promised(tmp_path: Path) -> None:
-    store = SqliteSessionStore(tmp_path / "store.sqlite", flush_every_s=60)
+def test_session_that_cannot_be_stored_is_not_promised_and_every_failure_is_told(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    store, failures = SqliteSessionStore(tmp_path / "store.sqlite", flush_every_s=60), Counter[str]()
+    store.watch(lambda: failures.update(["write"]))
+    store.save(record("kept"))
     store._connection.execute("PRAGMA query_only = ON")  # as a disk that is full
     with pytest.raises(StoreError, match="CAPTRA_STATE_DIR"):
         store.save(record("a"))
-    store.trust("a", TrustedPose(pose(5), 17))
-    store.flush()
+    store.trust("kept", TrustedPose(pose(5), 17))
+    for _ in range(3):
+        store.flush()
+    assert failures["write"] == 4
+    assert [(entry.levelname, entry.__dict__["session_ids"]) for entry in caplog.records] == [("ERROR", ["kept"])]
     store._connection.execute("PRAGMA query_only = OFF")
-    store.save(record("b"))
-    assert [each.session_id for each in store.load()] == ["b"]
+    store.save(record("b", created_ns=1))
+    assert [(each.session_id, each.trusted.seq) for each in store.load()] == [("kept", 17), ("b", None)]
+    assert failures["write"] == 4
     store.close()
