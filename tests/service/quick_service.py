@@ -1,4 +1,9 @@
-"""A service process whose networks follow the middle of a cloud, with sessions in its state folder."""
+"""A service process whose networks follow the middle of a cloud, with sessions in its state folder.
+
+LEASE_MS says after how long without a sign of life its clients give it up.
+"""
+
+import os
 
 from service.router import ZenohTransport
 from service.run import run
@@ -11,9 +16,8 @@ from tests.service.support import CentreProvider
 
 def build(settings: Settings) -> TrackingService:
     store = SqliteSessionStore(settings.state_dir / f"{settings.service}.sqlite")
-    transport = ZenohTransport(
-        settings.service, settings.zenoh_listen, (), settings.max_payload_bytes, zenoh_entries(settings)
-    )
+    entries = zenoh_entries(settings) | {"transport/link/tx/lease": int(os.environ.get("LEASE_MS", "10000"))}
+    transport = ZenohTransport(settings.service, settings.zenoh_listen, (), settings.max_payload_bytes, entries)
     return TrackingService(settings, CentreProvider("mug"), store, transport)
 
 
