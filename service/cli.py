@@ -15,6 +15,9 @@ def serve(
     zenoh_listen: Annotated[
         list[str] | None, typer.Option(help="Endpoint of the Zenoh router, may be repeated (CAPTRA_ZENOH_LISTEN).")
     ] = None,
+    ros2: Annotated[
+        bool | None, typer.Option("--ros2/--no-ros2", help="Be a node of ROS 2 as well (CAPTRA_ROS2).")
+    ] = None,
     models_dir: Annotated[Path | None, typer.Option(help="Folder of model bundles (CAPTRA_MODELS_DIR).")] = None,
 ) -> None:
     """Serve poses: REST on port 8080, an embedded Zenoh router on port 7447, both on loopback unless told otherwise.
@@ -33,7 +36,13 @@ def serve(
     from service.store import StoreError
     from service.transport import TransportError
 
-    options = {"http_host": host, "http_port": port, "zenoh_listen": zenoh_listen or None, "models_dir": models_dir}
+    options = {
+        "http_host": host,
+        "http_port": port,
+        "zenoh_listen": zenoh_listen or None,
+        "ros2": ros2,
+        "models_dir": models_dir,
+    }
     try:
         run(load_settings(config, {name: value for name, value in options.items() if value is not None}))
     except ValidationError as error:

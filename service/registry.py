@@ -16,12 +16,18 @@ from service.liveness import CloseReason, Liveness
 from service.networks import NetworksProvider
 from service.readiness import STOPPING
 from service.rejections import NotReadyError, NotStoredError, RejectedError, TooManySessionsError, UnknownSessionError
+from service.ros2.options import Ros2Options
 from service.session import Session
 from service.store import SessionRecord, SessionStore, StoreError, TrustedPose
 from service.telemetry import Telemetry
 from service.transport import Stream, Transport
 
 logger = logging.getLogger(__name__)
+
+
+def no_ros2(session_id: str) -> Ros2Options | None:  # noqa: ARG001 - of one signature
+    """ROS 2 sees nothing of the session."""
+    return None
 
 
 @dataclass(frozen=True)
@@ -42,6 +48,8 @@ class NewSession:
     """Of depth images."""
     masks: str | None = None
     """What masks that travel with frames tell."""
+    ros2: Callable[[str], Ros2Options | None] = no_ros2
+    """Its names in ROS 2, given its id; none where the service is no node."""
     secret_sha256: str | None = None
     """Digest of the secret that has to accompany clouds by Zenoh, if one has to."""
 
@@ -82,8 +90,9 @@ class Registry:
             NotStoredError: it would not survive a restart.
         """
         self._check_room()
+        session_id = secrets.token_hex(8)
         record = SessionRecord(
-            session_id=secrets.token_hex(8),
+            session_id=session_id,
             category=new.category,
             profile=new.profile,
             frame_id=new.frame_id,
@@ -92,6 +101,7 @@ class Registry:
             trusted=TrustedPose(new.pose, None),
             camera=new.camera,
             masks=new.masks,
+            ros2=new.ros2(session_id),
             secret_sha256=new.secret_sha256,
         )
         session = self._begin(record)

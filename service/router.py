@@ -13,15 +13,16 @@ import zenoh
 
 from service.envelopes import Envelope
 from service.keys import ServiceKeys, SessionKeys
+from service.ros2.node import NO_ROS2, Ros2
 from service.session import Session
 from service.streams import SessionStream, envelope_of
-from service.transport import TransportError
+from service.transport import Stream, TransportError
 
 logger = logging.getLogger(__name__)
 
 
 def router_config(
-    listen: tuple[str, ...], max_message_bytes: int, security: Mapping[str, Any] = MappingProxyType({})
+    listen: tuple[str, ...], max_message_bytes: int, further: Mapping[str, Any] = MappingProxyType({})
 ) -> zenoh.Config:
     """A router that listens where it is told and looks for nobody."""
     config = zenoh.Config()
@@ -33,7 +34,7 @@ def router_config(
         "scouting/delay": 0,  # nobody to wait for
         "transport/link/rx/max_message_size": max_message_bytes,
     }
-    for key, value in (entries | dict(security)).items():
+    for key, value in (entries | dict(further)).items():
         config.insert_json5(key, json.dumps(value))
     return config
 
@@ -47,9 +48,10 @@ class ZenohTransport:
         listen: tuple[str, ...],
         advertise: tuple[str, ...],
         max_payload_bytes: int,
-        security: Mapping[str, Any] = MappingProxyType({}),
+        entries: Mapping[str, Any] = MappingProxyType({}),
+        ros2: Ros2 = NO_ROS2,
     ) -> None:
-        """`security` holds further entries of the configuration: certificates and access rules."""
+        """`entries` are further ones of Zenoh's configuration: other routers, certificates and access rules."""
         self._keys = ServiceKeys(service)
         self._listen = listen
         self._endpoints = advertise or listen
@@ -57,7 +59,8 @@ class ZenohTransport:
         self._max_message_bytes = (
             4 * max_payload_bytes
         )  # what is only somewhat too large gets a reason instead of silence
-        self._security = security
+        self._entries = dict(ros2.router_entries) | dict(entries)
+        self._ros2 = ros2
         self._resources = ExitStack()
         self._sessions: dict[str, Session] = {}  # by the keys of their clients' tokens
         self._tokens: set[str] = set()
@@ -79,7 +82,7 @@ class ZenohTransport:
             TransportError: when an endpoint is in use or makes no sense.
         """
         try:
-            config = router_config(self._listen, self._max_message_bytes, self._security)
+            config = router_config(self._listen, self._max_message_bytes, self._entries)
             self._session = self._resources.enter_context(zenoh.open(config))
         except zenoh.ZError as error:
             raise TransportError(
@@ -91,8 +94,10 @@ class ZenohTransport:
         self._resources.enter_context(
             liveliness.declare_subscriber(self._keys.clients, self._client_changed, history=True)
         )
+        self._ros2.open(self._session)
+        self._resources.callback(self._ros2.close)
 
-    def attach(self, session: Session) -> SessionStream:
+    def attach(self, session: Session) -> Stream:
         """Connect a session."""
         keys = self.keys(session.session_id)
         with self._lock:
@@ -100,7 +105,8 @@ class ZenohTransport:
             client_there = keys.client in self._tokens  # after a restart clients come back before their sessions
         if client_there:
             session.client_there()
-        return SessionStream(self._session, keys, session, on_close=lambda: self._sessions.pop(keys.client, None))
+        stream = SessionStream(self._session, keys, session, on_close=lambda: self._sessions.pop(keys.client, None))
+        return self._ros2.beside(stream, session)
 
     def subscribe_previews(self, take: Callable[[str, Envelope], None]) -> ExitStack:
         """Call `take`, on a thread of Zenoh, with the name and the cloud of whatever comes on preview keys."""

@@ -2,6 +2,7 @@
 
 import logging
 from collections.abc import Callable
+from typing import Any
 
 import zenoh
 
@@ -9,6 +10,8 @@ from service.bundles import BundleNetworks
 from service.http_server import HttpServer, bind
 from service.logs import configure_logging
 from service.rest.app import create_app
+from service.ros2.names import Domain
+from service.ros2.node import NO_ROS2, Ros2, Ros2Node
 from service.router import ZenohTransport
 from service.security.wiring import check_exposure, check_files, zenoh_entries
 from service.settings import Settings
@@ -29,14 +32,31 @@ def build_service(settings: Settings) -> TrackingService:
         settings,
         BundleNetworks(settings.models_dir, settings.profile, settings.provider, settings.threads),
         SqliteSessionStore(settings.state_dir / f"{settings.service}.sqlite"),
-        ZenohTransport(
-            settings.service,
-            settings.zenoh_listen,
-            settings.zenoh_advertise,
-            settings.max_payload_bytes,
-            zenoh_entries(settings),
-        ),
+        build_transport(settings),
     )
+
+
+def build_transport(settings: Settings) -> ZenohTransport:
+    """The router, guarded and connected as the settings say, as a node of ROS 2 where they want one."""
+    ros2: Ros2 = NO_ROS2
+    if settings.ros2:
+        domain = Domain(settings.ros2_domain, hashes=settings.ros2_distribution != "humble")
+        ros2 = Ros2Node(domain, settings.ros2_points_topic)
+    return ZenohTransport(
+        settings.service,
+        settings.zenoh_listen,
+        settings.zenoh_advertise,
+        settings.max_payload_bytes,
+        connections(settings.zenoh_connect) | zenoh_entries(settings),
+        ros2,
+    )
+
+
+def connections(endpoints: tuple[str, ...]) -> dict[str, Any]:
+    """Entries of Zenoh's configuration that connect to other routers, however late they come."""
+    if not endpoints:
+        return {}
+    return {"connect/endpoints": endpoints, "connect/timeout_ms": -1, "connect/exit_on_failure": False}
 
 
 def run(settings: Settings, build: Callable[[Settings], TrackingService] = build_service) -> None:

@@ -5,10 +5,11 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import BaseModel, ConfigDict, Field, StringConstraints, model_validator
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints, model_validator
 from pydantic_settings import BaseSettings, PydanticBaseSettingsSource, SettingsConfigDict, TomlConfigSettingsSource
 
 from captra import shipped
+from service.ros2.names import check_topic
 
 CONFIG_VARIABLE = "CAPTRA_CONFIG"
 """Names the TOML file whose keys are the field names below."""
@@ -36,6 +37,11 @@ class ZenohAccess(BaseModel):
     may: Literal["watch", "stream"] = "stream"
 
 
+def ros_domain() -> Any:
+    """What the variables of ROS say, unchecked."""
+    return os.environ.get("ROS_DOMAIN_ID") or "0"
+
+
 class MissingConfigError(FileNotFoundError):
     """The file of settings does not exist."""
 
@@ -53,6 +59,16 @@ class Settings(BaseSettings):
     """Endpoints of the embedded Zenoh router."""
     zenoh_advertise: tuple[str, ...] = ()
     """Endpoints told to clients, where they differ from those listened on (behind NAT or a port mapping)."""
+    zenoh_connect: tuple[str, ...] = ()
+    """Endpoints of other routers that the embedded one connects to, and goes on trying to."""
+    ros2: bool = False
+    """Whether the service is a node of ROS 2: takes topics of clouds, publishes boxes, transforms and joint states."""
+    ros2_domain: int = Field(default_factory=ros_domain, ge=0, le=232)
+    """Domain of that node; by default what ROS_DOMAIN_ID says, else 0."""
+    ros2_distribution: Literal["humble", "jazzy", "kilted", "lyrical"] = "jazzy"
+    """Of the nodes on rmw_zenoh: those of Humble know no type hashes."""
+    ros2_points_topic: Annotated[str, AfterValidator(check_topic)] | None = None
+    """Topic that feeds sessions which name none."""
     service: KeyChunk = "default"
     """Name of this deployment in every Zenoh key; another process that takes the deployment over keeps it."""
     models_dir: Path = shipped.MODELS
@@ -120,6 +136,15 @@ class Settings(BaseSettings):
             raise ValueError("zenoh_tls_ca needs zenoh_tls_cert and zenoh_tls_key")
         if self.zenoh_access and self.zenoh_tls_ca is None:
             raise ValueError("zenoh_access needs zenoh_tls_ca: clients are known by their certificates")
+        return self
+
+    @model_validator(mode="after")
+    def ros2_fits_the_rest(self) -> Self:
+        """Nodes of ROS 2 have no certificates that access rules could know them by."""
+        if self.ros2 and self.zenoh_access:
+            raise ValueError("zenoh_access keeps out nodes of ROS 2, which show no certificates: leave one of them out")
+        if self.ros2_points_topic is not None and not self.ros2:
+            raise ValueError("ros2_points_topic needs ros2: start with --ros2 or CAPTRA_ROS2=true")
         return self
 
     @classmethod

@@ -14,6 +14,7 @@ import orjson
 from captra.depth_images import Intrinsics
 from captra.geometry import Pose
 from service.camera import Camera
+from service.ros2.options import Ros2Options
 from service.store import SessionRecord, StoreError, TrustedPose
 
 logger = logging.getLogger(__name__)
@@ -212,9 +213,10 @@ def record_of(settings: bytes, trusted: bytes) -> SessionRecord:
     pose = orjson.loads(trusted)
     arrays = {name: np.array(pose[name], np.float64) for name in POSE_FIELDS}
     fields = orjson.loads(settings)
-    camera = fields.pop("camera", None)
+    camera, ros2 = fields.pop("camera", None), fields.pop("ros2", None)
     return SessionRecord(
         **fields,
         camera=None if camera is None else Camera(**camera | {"intrinsics": Intrinsics(**camera["intrinsics"])}),
+        ros2=None if ros2 is None else Ros2Options(**ros2),
         trusted=TrustedPose(Pose(**arrays), pose["seq"]),
     )

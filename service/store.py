@@ -7,6 +7,7 @@ from typing import Protocol
 
 from captra.geometry import Pose
 from service.camera import Camera
+from service.ros2.options import Ros2Options
 
 
 @dataclass(frozen=True)
@@ -45,6 +46,8 @@ class SessionRecord:
     """Of depth images; none where only clouds come."""
     masks: str | None = None
     """What masks that travel with frames tell: `object` or `parts`; none where none come."""
+    ros2: Ros2Options | None = None
+    """Its names in ROS 2; none where the service was no node when it was opened."""
 
 
 class StoreError(RuntimeError):

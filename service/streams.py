@@ -1,8 +1,6 @@
 """One session on Zenoh: the newest cloud in, results and events out."""
 
 import logging
-import threading
-import time
 from collections.abc import Callable
 from contextlib import ExitStack, suppress
 from dataclasses import replace
@@ -13,6 +11,7 @@ from zenoh import ext
 from captra.observations import Observation
 from service.announcer import Announcer
 from service.envelopes import Envelope, NumberedHeader
+from service.feeds import Feed, arrival_s
 from service.keys import SessionKeys
 from service.rejections import RejectedError, UnknownSessionError, WrongSecretError
 from service.results import Event, Result
@@ -71,7 +70,6 @@ class SessionStream:
         self, zenoh_session: zenoh.Session, keys: SessionKeys, session: Session, on_close: Callable[[], object]
     ) -> None:
         self._session = session
-        self._stopped = False
         self._router_id = str(zenoh_session.zid())
         with ExitStack() as resources:
             resources.callback(on_close)
@@ -86,9 +84,7 @@ class SessionStream:
             resources.callback(self._announcer.close)
             resources.enter_context(zenoh_session.liveliness().declare_token(keys.alive))
             session.observe(self)
-            self._clouds = zenoh_session.declare_subscriber(keys.cloud, zenoh.handlers.RingChannel(1))
-            self._thread = threading.Thread(target=self._run, name=f"captra-stream-{session.session_id}", daemon=True)
-            self._thread.start()
+            self._clouds = Feed(zenoh_session, keys.cloud, self._take, f"captra-stream-{session.session_id}")
             self._resources = resources.pop_all()
 
     def cloud(self, header: NumberedHeader, observation: Observation) -> None:
@@ -104,14 +100,11 @@ class SessionStream:
 
     def stop_receiving(self) -> None:
         """Take no more clouds."""
-        if not self._stopped:
-            self._stopped = True
-            self._clouds.undeclare()
+        self._clouds.stop()
 
     def finish(self, timeout_s: float | None = None) -> bool:
         """Wait for the one in hand; whether it was done within `timeout_s`, if that is given."""
-        self._thread.join(timeout_s)
-        return not self._thread.is_alive()
+        return self._clouds.finish(timeout_s)
 
     def close(self) -> None:
         """Withdraw the keys."""
@@ -123,24 +116,13 @@ class SessionStream:
         except zenoh.ZError:  # the frame itself is done; a network that is gone must not undo it
             logger.exception("could not publish", extra={"session_id": message.session_id})
 
-    def _run(self) -> None:
-        # The subscriber itself cannot be undeclared while a thread waits in its recv; its handler's recv then ends.
-        handler = self._clouds.handler
-        while True:
-            try:
-                sample = handler.recv()
-            except zenoh.ZError:
-                return
-            if sample.kind == zenoh.SampleKind.PUT:
-                self._take(sample)
-
     def _take(self, sample: zenoh.Sample) -> None:
         try:
             self._session.codecs.check_size(len(sample.payload))
         except RejectedError as rejection:
             self._session.refuse(rejection)
             return
-        envelope = envelope_of(sample, self._arrival_s(sample))
+        envelope = envelope_of(sample, arrival_s(sample, self._router_id))
         try:
             admitted = self._session.admission.admit(envelope.attachment)
         except WrongSecretError as rejection:
@@ -152,10 +134,3 @@ class SessionStream:
             logger.debug("cloud for a closed session", extra={"session_id": self._session.session_id})
         except RejectedError:
             pass  # counted, and told as an event
-
-    def _arrival_s(self, sample: zenoh.Sample) -> float:
-        """When a sample reached the router, on the clock of `time.perf_counter`; now, where someone else stamped it."""
-        now_s, stamp = time.perf_counter(), sample.timestamp
-        if stamp is None or str(stamp.get_id()) != self._router_id:
-            return now_s
-        return now_s - max(0.0, time.time() - stamp.get_time().timestamp())

@@ -22,6 +22,27 @@ class Stream(Protocol):
         """Withdraw what was declared; nothing can be told afterwards."""
 
 
+class Streams:
+    """Several connections of one session."""
+
+    def __init__(self, streams: tuple[Stream, ...]) -> None:
+        self._streams = streams
+
+    def stop_receiving(self) -> None:
+        """Take no more clouds on any of them."""
+        for stream in self._streams:
+            stream.stop_receiving()
+
+    def finish(self, timeout_s: float | None = None) -> bool:
+        """Wait for those in hand; whether all were done within `timeout_s` each, if that is given."""
+        return all(stream.finish(timeout_s) for stream in self._streams)
+
+    def close(self) -> None:
+        """Withdraw all, the last one first."""
+        for stream in reversed(self._streams):
+            stream.close()
+
+
 class Transport(Protocol):
     """Connects sessions with their clients."""
 

@@ -11,6 +11,7 @@ MUG_PART: JsonDict = {
     "size": [0.12, 0.09, 0.08],
 }
 DEPTH_CAMERA: JsonDict = {"fx": 590.0, "fy": 590.0, "cx": 319.5, "cy": 239.5, "width": 640, "height": 480}
+ROS2: JsonDict = {"points_topic": "/camera/depth/points", "name": "coffee_mug"}
 MUG_RESULT: JsonDict = {
     "session_id": SESSION_ID,
     "seq": 7,

@@ -2,10 +2,11 @@
 
 from typing import Annotated, Literal, Self
 
-from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
 
-from service.rest.examples import DEPTH_CAMERA, MUG_PART
+from service.rest.examples import DEPTH_CAMERA, MUG_PART, ROS2
 from service.rest.vectors import Finite, Matrix3, Vector3, Vector4
+from service.ros2.names import check_topic
 from service.settings import ProfileName
 
 
@@ -67,6 +68,24 @@ class Camera(Input):
     )
 
 
+class Ros2(Input):
+    """What ROS 2 sees of a session."""
+
+    model_config = ConfigDict(json_schema_extra={"examples": [ROS2]})
+
+    points_topic: Annotated[str, AfterValidator(check_topic)] | None = Field(
+        default=None,
+        max_length=255,
+        description="Topic of `sensor_msgs/msg/PointCloud2` to track; by default CAPTRA_ROS2_POINTS_TOPIC.",
+    )
+    name: str | None = Field(
+        default=None,
+        pattern="^[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*$",
+        max_length=64,
+        description="Begins topics and child frames of the session; by default category and session id.",
+    )
+
+
 class NewPose(Input):
     """A pose to start again from."""
 
@@ -99,3 +118,4 @@ class NewSession(Input):
         description="Whether frames bring masks, and what their pixels tell; by default CoordinateNet segments.",
     )
     camera: Camera | None = Field(default=None, description="Needed by depth images.")
+    ros2: Ros2 | None = Field(default=None, description="Needs a service that is a node of ROS 2 (CAPTRA_ROS2).")

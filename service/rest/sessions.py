@@ -34,6 +34,7 @@ from service.rest.inputs import NewPose, NewSession
 from service.rest.outputs import OpenedSession, Result, Sessions, SessionState
 from service.rest.poses import pose_of
 from service.rest.problems import documented
+from service.rest.ros2 import ros2_names
 from service.rest.views import opened, state_of
 from service.security.secrets import new_secret
 from service.security.wiring import clouds_need_secrets
@@ -141,4 +142,5 @@ def order_of(body: NewSession, settings: Settings) -> Order:
         pose=pose_of(body.parts, category),
         camera=None if body.camera is None else camera_of(body.camera),
         masks=body.masks,
+        ros2=ros2_names(body, settings),
     )

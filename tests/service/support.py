@@ -24,7 +24,7 @@ from service.http_server import HttpServer, bind
 from service.networks import Engine, Model
 from service.rejections import CategoryWithoutModelError
 from service.rest.app import create_app
-from service.router import ZenohTransport
+from service.run import build_transport
 from service.settings import Settings
 from service.store import InMemorySessionStore, SessionStore
 from service.tracking_service import TrackingService
@@ -162,7 +162,7 @@ def running(
     provider = provider or CentreProvider(*(categories or ("mug", "laptop_articulated")))
     endpoint = endpoint or free_endpoint()
     settings = Settings(models_dir=Path("/nowhere"), zenoh_listen=(endpoint,), **options)
-    transport = ZenohTransport(settings.service, settings.zenoh_listen, (), settings.max_payload_bytes)
+    transport = build_transport(settings)
     with ExitStack() as resources:
         listener = resources.enter_context(bind("127.0.0.1", 0))
         service = TrackingService(settings, provider, store or InMemorySessionStore(), transport)

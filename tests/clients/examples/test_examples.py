@@ -35,7 +35,7 @@ def url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     models = tmp_path_factory.mktemp("models")
     for category in ("mug", "scissors"):
         shutil.copytree(ROOT / "models" / category, models / category)
-    with ServiceProcess({"CAPTRA_MODELS_DIR": str(models)}) as service:
+    with ServiceProcess({"CAPTRA_MODELS_DIR": str(models), "CAPTRA_ROS2": "true"}) as service:
         yield service.url
 
 
@@ -130,3 +130,10 @@ def test_masks(run: Run) -> None:
     assert len(lines) == FRAMES
     assert all("tracking" in line for line in lines[2:])
     assert float(lines[-1].split()[-2]) == pytest.approx(0.43, abs=0.03), "the object, not the table behind it"
+
+
+def test_ros2(run: Run) -> None:
+    lines = run("10")
+    assert len(lines) == FRAMES
+    assert all(line.startswith("camera_depth_optical_frame -> cup/mug: ") for line in lines)
+    assert 0.3 < float(lines[-1].split()[-2]) < 1.0
