@@ -1,6 +1,11 @@
 """Sessions are reached through the routers of deploy/, which connect to the one inside the service."""
 
 import json
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 import numpy as np
@@ -27,6 +32,49 @@ def test_poses_come_through_the_router(name: str) -> None:
             # At a camera's rate, since the first results may go by before the service's router knows who listens.
             results = list(session.track([blob()] * 20, rate_hz=10))
     assert results[-1].seq == 19
+
+
+ROUTER = """
+import sys, zenoh
+config = zenoh.Config.from_file(sys.argv[1])
+for key, value in zip(("listen/endpoints", "connect/endpoints"), sys.argv[2:]):
+    config.insert_json5(key, value)
+with zenoh.open(config):
+    print("open", flush=True)
+    sys.stdin.read()
+"""
+
+
+@contextmanager
+def router_process(listen: str, connect: str) -> Iterator[None]:
+    """A router of deploy/ in a process of its own, which is killed at the end."""
+    arguments = (str(FOLDER / "router.json5"), json.dumps([listen]), json.dumps([connect]))
+    command = [sys.executable, "-c", ROUTER, *arguments]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as router:
+        assert router.stdout is not None
+        assert router.stdout.readline() == "open\n"
+        yield
+        router.kill()
+
+
+def test_a_session_goes_on_when_a_router_between_is_killed_and_started_again() -> None:
+    inner, outer = free_endpoint(), free_endpoint()
+    pose = Pose.from_size(np.eye(3)[None], np.array([[0, 0, 0.5]]), np.full((1, 3), 0.1))
+    with running("mug", endpoint=inner, zenoh_advertise=(outer,), client_grace_s=20) as service, ExitStack() as last:
+        assert service.service.readiness.wait_prepared(30)
+        with router_process(outer, inner):
+            session = last.enter_context(open_session("mug", pose, url=str(service.http.base_url)))
+            assert [result.seq for result in session.track([blob(), blob()])] == [0, 1]
+        assert session.put(blob()) == 2  # nobody is there to pass it on
+        last.enter_context(router_process(outer, inner))
+        deadline = time.monotonic() + 20
+        while session.latest is None or session.latest.seq < 10:
+            assert time.monotonic() < deadline, "the session did not go on"
+            session.put(blob((0.01, 0, 0.5)))
+            time.sleep(0.05)
+        assert session.latest.parts[0].translation[0] == pytest.approx(0.01, abs=3e-3)
+        assert service.metric("captra_sessions_opened_total") == 1
+        session.close()
 
 
 def test_a_router_waits_for_a_service_that_is_not_there_yet() -> None:

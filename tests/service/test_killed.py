@@ -1,8 +1,10 @@
 """kill -9 in mid-stream: the next process goes on with every session, and clients notice nothing but a gap."""
 
 import json
+import logging
 import threading
 import time
+from collections.abc import Iterator
 from contextlib import ExitStack
 from pathlib import Path
 
@@ -14,10 +16,18 @@ from captra.geometry import Pose
 from clients import Session, open_session
 from clients.results import Result
 from clients.service_process import free_ports
-from tests.service.support import blob, f32, session_body
+from tests.service.support import Running, blob, f32, running, session_body
 from tests.service.test_process import entry, process, stream
 
+GRACE_S = 2.0
 STARTS = [(0.3 * index, 0.0, 0.5) for index in range(3)]
+
+
+@pytest.fixture
+def service() -> Iterator[Running]:
+    with running("mug", client_grace_s=GRACE_S) as started:
+        assert started.service.readiness.wait_prepared(30)
+        yield started
 
 
 def pose_at(start: tuple[float, float, float]) -> Pose:
@@ -81,22 +91,47 @@ def test_killed_service_goes_on_with_every_session_and_its_clients(tmp_path: Pat
             assert result.parts[0].translation[1] > 0.05
 
 
-def test_session_whose_client_died_with_the_service_is_freed_after_the_grace_time(tmp_path: Path) -> None:
-    variables = variables_of(tmp_path, CAPTRA_CLIENT_GRACE_S="0.5")
-    url = f"http://127.0.0.1:{variables['CAPTRA_HTTP_PORT']}"
-    client = f"""
-import os, numpy as np
+CLIENT = """
+import sys, numpy as np
 from captra.geometry import Pose
 from clients import open_session
 pose = Pose.from_size(np.eye(3)[None], np.array([[0, 0, 0.5]]), np.full((1, 3), 0.1))
-session = open_session("mug", pose, url="{url}")
+session = open_session("mug", pose, url=sys.argv[1])
 print(session.session_id, flush=True)
 input()
 """
+
+
+def test_session_of_a_killed_client_is_freed_after_the_grace_time_and_not_before(
+    service: Running, caplog: pytest.LogCaptureFixture
+) -> None:
+    def said(message: str) -> logging.LogRecord:
+        deadline = time.monotonic() + 20
+        while not (found := [record for record in caplog.records if record.message == message]):
+            assert time.monotonic() < deadline, f"the log never said {message!r}"
+            time.sleep(0.01)
+        return found[0]
+
+    caplog.set_level("INFO")
+    with process("-c", CLIENT, str(service.http.base_url)) as client:
+        session_id = stream(client.stdout).readline().strip()
+        client.kill()
+    gone = said("client token gone")
+    assert service.http.get(f"/v1/sessions/{session_id}").status_code == 200
+    closed = said("session closed")
+    assert closed.__dict__["session_id"] == session_id
+    assert closed.__dict__["reason"] == "client-gone"
+    assert closed.created - gone.created >= GRACE_S - 0.1
+    assert service.http.get(f"/v1/sessions/{session_id}").status_code == 404
+
+
+def test_session_whose_client_died_with_the_service_is_freed_after_the_grace_time(tmp_path: Path) -> None:
+    variables = variables_of(tmp_path, CAPTRA_CLIENT_GRACE_S="0.5")
+    url = f"http://127.0.0.1:{variables['CAPTRA_HTTP_PORT']}"
     with process("-m", "tests.service.quick_service", **variables) as service:
         entry(stream(service.stderr), "ready")
         kept = httpx.post(f"{url}/v1/sessions", json=session_body()).json()["session_id"]  # it never had a client
-        with process("-c", client) as dying:
+        with process("-c", CLIENT, url) as dying:
             orphan = stream(dying.stdout).readline().strip()
             service.kill()
             service.wait()
