@@ -33,6 +33,7 @@ def router_config(
         "scouting/gossip/enabled": False,
         "scouting/delay": 0,  # nobody to wait for
         "transport/link/rx/max_message_size": max_message_bytes,
+        "transport/link/tx/queue/size/interactive_high": 16,  # results of many sessions to one subscriber, the most
     }
     for key, value in (entries | dict(further)).items():
         config.insert_json5(key, json.dumps(value))
