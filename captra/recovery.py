@@ -42,19 +42,19 @@ class LookBudget:
 
 
 class TimeBudget:
-    """As many looks as fit into some milliseconds, by how long they took so far; at least one, at most eight."""
+    """As many looks as fit into some milliseconds, by how long they took so far: two at least, eight at most."""
 
-    MOST_LOOKS = 8
+    FEWEST_LOOKS, MOST_LOOKS = 2, 8  # one would never look anywhere but where the object was lost
 
     def __init__(self, budget_ms: float) -> None:
         self._budget_ms = budget_ms
         self._look_ms: float | None = None
 
     def looks(self) -> int:
-        """At most so many; two before the first is timed."""
+        """At most so many; the fewest before the first is timed."""
         if self._look_ms is None:
-            return 2
-        return int(np.clip(self._budget_ms / self._look_ms, 1, self.MOST_LOOKS))
+            return self.FEWEST_LOOKS
+        return int(np.clip(self._budget_ms / self._look_ms, self.FEWEST_LOOKS, self.MOST_LOOKS))
 
     def spent(self, milliseconds: float) -> None:
         """Go along slowly, so that one slow look changes little."""

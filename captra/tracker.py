@@ -124,16 +124,18 @@ class Tracker:
         observation = PointCloud.of(observed) if isinstance(observed, np.ndarray) else observed
         looks = self._options.search.looks()
         around = self._search.hypotheses(self._motion.expected(time_s), self._health.state, looks)
-        best = self._choose(self._look(observation, segmentation, around))
+        best = self._choose(self._look(observation, segmentation, around, looks))
         self._health = self._health.updated(self._health.confidence_of(best.evidence))
         self._pose = self._sized(best)
         self._motion = self._motion.observed(self._pose, time_s, trusted=self._health.trusted)
         self._search = self._search.updated(self._pose, self._health.state, looks)
-        published, self._filter = self._filter.filtered(self._published(), time_s)
+        published, self._filter = self._filter.filtered(self._published(looks), time_s)
         joints = joint_values(published, self._category)
         return TrackResult(published, self._health.state, self._health.confidence, joints, best.evidence, best.timing)
 
-    def _look(self, observation: Observation, segmentation: Segmentation, around: Sequence[Pose]) -> Sequence[Sighting]:
+    def _look(
+        self, observation: Observation, segmentation: Segmentation, around: Sequence[Pose], looks: int
+    ) -> Sequence[Sighting]:
         """Look around every pose near which there are points."""
         sightings, refusal = list[Sighting](), NoPointsError()
         for pose in around:
@@ -145,6 +147,7 @@ class Tracker:
                 self._options.search.spent(sightings[-1].timing.total_ms)
         if not sightings:
             self._health = self._health.missed()
+            self._search = self._search.updated(self._pose, self._health.state, looks)
             raise refusal
         return sightings
 
@@ -160,7 +163,7 @@ class Tracker:
             self._size = self._size.updated(pose)
         return self._size.apply(pose, found.evidence.centroid)
 
-    def _published(self) -> Pose:
+    def _published(self, looks: int) -> Pose:
         """The last pose, or the last trusted one as long as a search has found nothing better."""
-        held = self._health.state is State.LOST and self._options.search.looks() > 1
+        held = self._health.state is State.LOST and looks > 1
         return self._search.trusted if held else self._pose

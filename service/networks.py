@@ -10,7 +10,7 @@ from typing import Any, Generic, Protocol, TypeVar
 from captra.geometry import Pose
 from captra.health import HealthMonitor
 from captra.looking import Networks
-from captra.tracker import Tracker
+from captra.tracker import Tracker, TrackerOptions
 
 Loaded = TypeVar("Loaded")
 
@@ -24,9 +24,9 @@ class Engine:
     health: HealthMonitor = field(default_factory=HealthMonitor)
     """Calibrated on these networks."""
 
-    def start(self, pose: Pose) -> Tracker:
-        """A tracker of one object."""
-        return Tracker(self.networks, pose, self.health)
+    def start(self, pose: Pose, options: TrackerOptions | None = None) -> Tracker:
+        """A tracker of one object; without options it does what the paper says."""
+        return Tracker(self.networks, pose, self.health, options)
 
 
 logger = logging.getLogger(__name__)

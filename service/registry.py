@@ -5,10 +5,11 @@ import secrets
 import threading
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from captra.geometry import Pose
 from captra.health import State
+from captra.tracker import TrackerOptions
 from service.camera import Camera
 from service.codecs import Codecs
 from service.ledger import Ledger
@@ -20,6 +21,7 @@ from service.ros2.options import Ros2Options
 from service.session import Session
 from service.store import SessionRecord, SessionStore, StoreError, TrustedPose
 from service.telemetry import Telemetry
+from service.track_options import TrackOptions
 from service.transport import Stream, Transport
 
 logger = logging.getLogger(__name__)
@@ -52,6 +54,8 @@ class NewSession:
     """Its names in ROS 2, given its id; none where the service is no node."""
     secret_sha256: str | None = None
     """Digest of the secret that has to accompany clouds by Zenoh, if one has to."""
+    options: TrackOptions = field(default_factory=TrackOptions)
+    """What the track does beyond the paper's method."""
 
 
 class Registry:
@@ -64,6 +68,7 @@ class Registry:
         transport: Transport,
         telemetry: Telemetry,
         codecs: Callable[[SessionRecord], Codecs],
+        options: Callable[[SessionRecord], TrackerOptions],
         *,
         max_sessions: int,
         client_grace_s: float,
@@ -73,6 +78,7 @@ class Registry:
         self._transport = transport
         self._telemetry = telemetry
         self._codecs = codecs
+        self._options = options
         self._max_sessions = max_sessions
         self._client_grace_s = client_grace_s
         self._lock = threading.Lock()
@@ -103,6 +109,7 @@ class Registry:
             masks=new.masks,
             ros2=new.ros2(session_id),
             secret_sha256=new.secret_sha256,
+            options=new.options,
         )
         session = self._begin(record)
         try:
@@ -198,6 +205,7 @@ class Registry:
             record,
             engine,
             self._codecs(record),
+            self._options(record),
             liveness=Liveness(record.idle_timeout_s, self._client_grace_s, client_awaited=record.has_client),
             ledger=Ledger(self._telemetry),
             store=self._store,

@@ -1,5 +1,7 @@
 """Puts what a tracker found into the words of the wire contract."""
 
+from dataclasses import replace
+
 from captra.categories import Category
 from captra.geometry import Pose
 from captra.health import State
@@ -30,6 +32,18 @@ class Reporter:
             joints=joint_values(pose, self._category),
         )
 
+    def unseen(self, last: Result, header: NumberedHeader, state: State) -> Result:
+        """A frame that showed nothing near the object: the last poses, which nothing bears out any more."""
+        return replace(
+            last,
+            seq=header.seq,
+            stamp_ns=header.stamp_ns,
+            frame_id=self._frame_id(header),
+            state=state,
+            confidence=0.0,
+            timing_ms=Timing(),
+        )
+
     def tracked(self, found: TrackResult, header: NumberedHeader, queue_ms: float, total_ms: float) -> Result:
         """What one frame told."""
         timing = found.timing
@@ -37,10 +51,13 @@ class Reporter:
             session_id=self._record.session_id,
             seq=header.seq,
             stamp_ns=header.stamp_ns,
-            frame_id=self._record.frame_id if header.frame_id is None else header.frame_id,
+            frame_id=self._frame_id(header),
             state=found.state,
             confidence=found.confidence,
             parts=part_poses(found.pose, self._category),
             joints=found.joints,
             timing_ms=Timing(queue_ms, timing.sample_ms, timing.infer_ms, timing.solve_ms, total_ms),
         )
+
+    def _frame_id(self, header: NumberedHeader) -> str:
+        return self._record.frame_id if header.frame_id is None else header.frame_id

@@ -11,6 +11,7 @@ from captra.health import State
 from captra.observations import Observation
 from captra.sampling import NoPointsError
 from captra.segmentation import Segmentation
+from captra.tracker import TrackerOptions
 from service.codecs import Codecs
 from service.envelopes import Envelope, FrameHeader, NumberedHeader
 from service.ledger import Ledger
@@ -49,6 +50,7 @@ class Session:
         record: SessionRecord,
         engine: Engine,
         codecs: Codecs,
+        options: TrackerOptions,
         *,
         liveness: Liveness,
         ledger: Ledger,
@@ -68,7 +70,7 @@ class Session:
         self._reporter = Reporter(record, engine.networks.category)
         self._store = store
         self._trusted = record.trusted
-        self._tracker = engine.start(record.trusted.pose)
+        self._tracker = engine.start(record.trusted.pose, options)
         self._sequence = Sequence(record.trusted.seq)
         self._observers = Observers()
         self._closed = False
@@ -213,17 +215,27 @@ class Session:
         self._sequence.check(header.seq)
         self._observers.cloud(header, observation)
         try:
-            tracked = self._tracker.step(observation, segmentation)
+            tracked = self._tracker.step(observation, segmentation, 1e-9 * header.stamp_ns)
         except NoPointsError as error:
+            self._saw_nothing(header)
             raise NoPointsNearObjectError(str(error)) from error
         dropped = self._sequence.accept(header.seq)
         result = self._reporter.tracked(tracked, header, 1e3 * waited_s, 1e3 * (time.perf_counter() - arrived_s))
         if tracked.state is State.TRACKING:
-            self._trust(TrustedPose(tracked.pose, header.seq))
+            self._trust(TrustedPose(self._tracker.pose, header.seq))
         previous, self._last_result = self._last_result.state, result
         self.ledger.processed(result.confidence, dropped)
         self._publish(result, previous)
         return result
+
+    def _saw_nothing(self, header: NumberedHeader) -> None:
+        """Tell when so many frames held nothing near the object that the track is in doubt, or lost."""
+        health, previous = self._tracker.health, self._last_result
+        if health.state is previous.state:
+            return
+        self._last_result = self._reporter.unseen(previous, header, health.state)
+        self._observers.result(self._last_result)
+        self._tell_state(previous.state)
 
     def _trust(self, trusted: TrustedPose) -> None:
         self._trusted = trusted
@@ -242,8 +254,12 @@ class Session:
             total=timing.total,
         )
         if result.state is not previous:
-            logger.info("state changed", extra={"session_id": self.session_id, "from": previous, "to": result.state})
-            self._tell(EventKind.STATE, previous, seq=result.seq, stamp_ns=result.stamp_ns)
+            self._tell_state(previous)
+
+    def _tell_state(self, previous: State) -> None:
+        result = self._last_result
+        logger.info("state changed", extra={"session_id": self.session_id, "from": previous, "to": result.state})
+        self._tell(EventKind.STATE, previous, seq=result.seq, stamp_ns=result.stamp_ns)
 
     def _reject(self, rejection: RejectedError, header: FrameHeader | None) -> None:
         with self._lock:

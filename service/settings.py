@@ -10,6 +10,7 @@ from pydantic_settings import BaseSettings, PydanticBaseSettingsSource, Settings
 
 from captra import shipped
 from service.ros2.names import check_topic
+from service.track_options import Prediction
 
 CONFIG_VARIABLE = "CAPTRA_CONFIG"
 """Names the TOML file whose keys are the field names below."""
@@ -83,6 +84,10 @@ class Settings(BaseSettings):
     """Execution provider of ONNX Runtime; `auto` takes the best that is installed."""
     threads: int | None = Field(default=None, ge=1)
     """Threads of one network run; by default what the container's quota allows."""
+    search_budget_ms: float = Field(default=100.0, ge=0, le=10_000, allow_inf_nan=False)
+    """How long a frame may look for an object that is doubted or lost, two looks at the least; 0 never searches."""
+    prediction: Prediction = "none"
+    """How sessions that do not say expect the next pose."""
     max_sessions: int = Field(default=64, ge=1)
     """Sessions open at the same time."""
     max_points: int = Field(default=1_000_000, ge=1)

@@ -16,6 +16,7 @@ from captra.geometry import Pose
 from service.camera import Camera
 from service.ros2.options import Ros2Options
 from service.store import SessionRecord, StoreError, TrustedPose
+from service.track_options import TrackOptions
 
 logger = logging.getLogger(__name__)
 
@@ -213,10 +214,11 @@ def record_of(settings: bytes, trusted: bytes) -> SessionRecord:
     pose = orjson.loads(trusted)
     arrays = {name: np.array(pose[name], np.float64) for name in POSE_FIELDS}
     fields = orjson.loads(settings)
-    camera, ros2 = fields.pop("camera", None), fields.pop("ros2", None)
+    camera, ros2, options = (fields.pop(name, None) for name in ("camera", "ros2", "options"))
     return SessionRecord(
         **fields,
         camera=None if camera is None else Camera(**camera | {"intrinsics": Intrinsics(**camera["intrinsics"])}),
         ros2=None if ros2 is None else Ros2Options(**ros2),
         trusted=TrustedPose(Pose(**arrays), pose["seq"]),
+        options=TrackOptions() if options is None else TrackOptions.from_json(options),
     )

@@ -2,12 +2,13 @@
 
 import threading
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Protocol
 
 from captra.geometry import Pose
 from service.camera import Camera
 from service.ros2.options import Ros2Options
+from service.track_options import TrackOptions
 
 
 @dataclass(frozen=True)
@@ -48,6 +49,8 @@ class SessionRecord:
     """What masks that travel with frames tell: `object` or `parts`; none where none come."""
     ros2: Ros2Options | None = None
     """Its names in ROS 2; none where the service was no node when it was opened."""
+    options: TrackOptions = field(default_factory=TrackOptions)
+    """What its track does beyond the paper's method."""
 
 
 class StoreError(RuntimeError):

@@ -6,6 +6,7 @@ from types import TracebackType
 from typing import Self
 
 from captra.categories import get_category
+from captra.tracker import TrackerOptions
 from service.codecs import Codecs, build_codecs
 from service.networks import NetworksProvider, NoModelError
 from service.readiness import Readiness
@@ -39,6 +40,7 @@ class TrackingService:
             transport,
             self.telemetry,
             self._codecs_of,
+            self._options_of,
             max_sessions=settings.max_sessions,
             client_grace_s=settings.client_grace_s,
         )
@@ -91,6 +93,9 @@ class TrackingService:
     def _codecs_of(self, record: SessionRecord) -> Codecs:
         limits = (self.settings.max_points, self.settings.max_payload_bytes)
         return build_codecs(*limits, get_category(record.category), record.camera, record.masks)
+
+    def _options_of(self, record: SessionRecord) -> TrackerOptions:
+        return record.options.tracker_options(self.settings.search_budget_ms)
 
     def _prepare(self) -> None:
         try:

@@ -71,13 +71,13 @@ def evaluate(
     report = Report()
     with workers(jobs) as pool:
         for name in category or available(models):
-            exported = _exported(models, name, profile, provider, max(1, available_cores() // jobs))
+            bundle = exported(models, name, profile, provider, max(1, available_cores() // jobs))
             for group, sources in (
                 ("recordings", recordings_in(recordings, name, meshes)),
                 ("procedural", unseen(name, procedural, kept, frames)),
                 ("meshes", library(meshes, name, kept, frames) if meshes else ()),
             ):
-                report.measure(exported, name, group, list(sources), others, pool, console, with_response=response)
+                report.measure(bundle, name, group, list(sources), others, pool, console, with_response=response)
             if write_scores and report.means(name):
                 write(models / name, command_for(name, options), report.means(name))
     for table in report.tables(f"{profile}, {provider}"):
@@ -125,10 +125,11 @@ def load(models: Path, category: str, profile: str, provider: str) -> "OnnxNetwo
     """The networks of a bundle, on all cores."""
     from captra.runtime.cores import available_cores
 
-    return _exported(models, category, profile, provider, available_cores()).load()
+    return exported(models, category, profile, provider, available_cores()).load()
 
 
-def _exported(models: Path, category: str, profile: str, provider: str, threads: int) -> "ExportedNetworks":
+def exported(models: Path, category: str, profile: str, provider: str, threads: int) -> "ExportedNetworks":
+    """The networks of a bundle, not loaded yet."""
     from captra.evaluation.runner import ExportedNetworks
 
     return ExportedNetworks(models / category, profile, provider, threads)

@@ -1,6 +1,7 @@
 """`captra calibrate` and `captra health`: how far the tracker's word can be trusted."""
 
-from collections.abc import Callable, Iterator, Sequence
+import json
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -9,12 +10,18 @@ import typer
 from captra.evaluation.cli import DEFAULT_CACHE, DEFAULT_MODELS, Cache, Categories, Models, ProfileName, Provider
 
 if TYPE_CHECKING:
-    from captra.evaluation.incidents import Incident
+    from captra.evaluation.sequences import SequenceSource
+
+Jobs = Annotated[int, typer.Option(help="Sequences tracked at a time, each in a process of its own.", min=1)]
+Looks = Annotated[int, typer.Option(help="Looks a frame while a track does not hold; 1 never searches.", min=1)]
+DEFAULT_LOOKS = 4
 
 
 def calibrate(
     category: Categories = None,
     sequences: Annotated[int, typer.Option(help="Procedural validation sequences per category.", min=1)] = 6,
+    jobs: Jobs = 2,
+    looks: Looks = DEFAULT_LOOKS,
     models: Models = DEFAULT_MODELS,
     profile: ProfileName = "realtime",
     provider: Provider = "cpu",
@@ -25,87 +32,106 @@ def calibrate(
     Example: captra calibrate --category mug
     """
     from dataclasses import replace
-    from functools import partial
 
     import numpy as np
     from rich.console import Console
 
-    from captra.evaluation.calibration import auroc, calibrate, confidences, observations
-    from captra.evaluation.cli import available, load
-    from captra.evaluation.incidents import INCIDENTS
+    from captra.evaluation.calibration import auroc, confidences
+    from captra.evaluation.calibration_runner import calibrated
+    from captra.evaluation.cli import available, exported
     from captra.evaluation.sequences import VALIDATION_SEED
-    from captra.evaluation.watching import watch
+    from captra.evaluation.workers import workers
     from captra.runtime.bundle import load_manifest, write_manifest
-    from captra.tracker import Tracker
+    from captra.runtime.cores import available_cores
 
-    console, faults = Console(), [kind for kind in INCIDENTS if kind != "nothing"]
-    for name in category or available(models):
-        networks = load(models, name, profile, provider)
-        with console.status(f"{name}: tracking two incidents in each of {sequences} sequences"):
-            happened = _incidents(
-                name, sequences, cache, VALIDATION_SEED, lambda i: ["nothing", faults[i % len(faults)]]
+    console, threads = Console(), max(1, available_cores() // jobs)
+    with workers(jobs) as pool:
+        for name in category or available(models):
+            with console.status(f"{name}: tracking what goes wrong in {sequences} sequences, twice"):
+                sources = sources_of(name, sequences, cache, VALIDATION_SEED)
+                networks = exported(models, name, profile, provider, threads)
+                monitor, found = calibrated(networks, sources, pool, looks)
+            write_manifest(models / name, replace(load_manifest(models / name), health=monitor.calibration))
+            right = np.asarray(found.correct.all(axis=1))
+            console.print(
+                f"{name}: {len(right)} steps, {100 * right.mean():.0f} % right; AUROC "
+                f"{auroc(confidences(monitor.confidence_of, found), right):.3f} on the sequences it was fitted to; "
+                f"doubt below {monitor.doubt_below:.2f}, trust above {monitor.trust_above:.2f}"
             )
-            found = observations(list(watch(partial(Tracker, networks), happened)))
-        monitor = calibrate(found)
-        write_manifest(models / name, replace(load_manifest(models / name), health=monitor.calibration))
-        right = np.asarray(found.correct.all(axis=1))
-        console.print(
-            f"{name}: {len(right)} steps, {100 * right.mean():.0f} % right; AUROC "
-            f"{auroc(confidences(monitor.confidence_of, found), right):.3f} on the sequences it was fitted to; "
-            f"doubt below {monitor.doubt_below:.2f}, trust above {monitor.trust_above:.2f}"
-        )
 
 
 def health(
     category: Categories = None,
     sequences: Annotated[int, typer.Option(help="Procedural test sequences per category.", min=1)] = 4,
     kinds: Annotated[list[str] | None, typer.Option("--kind", help="Kind of incident; all by default.")] = None,
-    looks: Annotated[int, typer.Option(help="Looks a frame while a track does not hold; 1 never searches.")] = 4,
+    rates: Annotated[bool, typer.Option(help="Also with and without prediction, at 10 and 30 Hz.")] = True,
+    jobs: Jobs = 2,
+    looks: Looks = DEFAULT_LOOKS,
     models: Models = DEFAULT_MODELS,
     profile: ProfileName = "realtime",
     provider: Provider = "cpu",
     cache: Cache = DEFAULT_CACHE,
+    json_out: Annotated[Path | None, typer.Option("--json", help="Also write the figures as JSON.")] = None,
+    markdown_out: Annotated[Path | None, typer.Option("--markdown", help="Also write the tables as Markdown.")] = None,
+    picture: Annotated[Path | None, typer.Option(help="Also draw the reliability diagram (PNG).")] = None,
 ) -> None:
     """Let things go wrong in test sequences, and print how the tracker takes it: told, unharmed, recovered.
 
-    Example: captra health --category mug --sequences 4
+    Example: captra health --category mug --sequences 4 --picture reliability.png
     """
-    from functools import partial
-
     from rich.console import Console
 
-    from captra.evaluation.cli import available, load
-    from captra.evaluation.health_report import summary
+    from captra.evaluation import health_report
+    from captra.evaluation.cli import available, exported
+    from captra.evaluation.health_figures import HealthFigures, figures
+    from captra.evaluation.incident_runner import Rehearsal, watch_all
     from captra.evaluation.incidents import INCIDENTS
+    from captra.evaluation.prediction_rates import Rate
+    from captra.evaluation.prediction_rates import rates as measure_rates
     from captra.evaluation.sequences import TEST_SEED
     from captra.evaluation.table import WIDTH
-    from captra.evaluation.watching import watch
-    from captra.health import HealthMonitor
-    from captra.recovery import LookBudget
-    from captra.tracker import Tracker, TrackerOptions
+    from captra.evaluation.watching import Watched
+    from captra.evaluation.workers import workers
+    from captra.runtime.bundle import load_manifest
+    from captra.runtime.cores import available_cores
 
-    console, options, chosen = Console(width=WIDTH), TrackerOptions(search=LookBudget(looks)), kinds or list(INCIDENTS)
+    console, chosen = Console(width=WIDTH), tuple(kinds or INCIDENTS)
     if unknown := [kind for kind in chosen if kind not in INCIDENTS]:
         raise typer.BadParameter(f"{unknown[0]!r} is none of {', '.join(INCIDENTS)}")
-    for name in category or available(models):
-        networks = load(models, name, profile, provider)
-        monitor, watched = HealthMonitor.calibrated(networks.manifest.health), []
-        happened = _incidents(name, sequences, cache, TEST_SEED, lambda _: chosen)
-        for one in watch(partial(Tracker, networks, health=monitor, options=options), happened):
-            watched.append(one)
-            console.print(f"tracked {one.incident.recording.name}: {100 * one.correct.mean():.0f} % right")
-        console.print(summary(name, watched))
+    names, threads = category or available(models), max(1, available_cores() // jobs)
+    found, everything = list[HealthFigures](), list[Watched]()
+    measured = list[Rate]()
+    with workers(jobs) as pool:
+        for name in names:
+            networks, watched = exported(models, name, profile, provider, threads), list[Watched]()
+            sources = sources_of(name, sequences, cache, TEST_SEED)
+            rehearsals = [Rehearsal(source, (kind,), i) for i, source in enumerate(sources) for kind in chosen]
+            for some in watch_all(networks, rehearsals, pool, load_manifest(models / name).health, looks):
+                watched += some
+                console.print(*(f"tracked {one.name}: {100 * one.correct.mean():.0f} % right" for one in some))
+            found.append(figures(name, watched))
+            everything += watched
+            if rates:
+                whole = sources_of(name, sequences, cache, TEST_SEED, frames=100)
+                measured += measure_rates(name, networks, whole, pool)
+    if len(names) > 1:
+        found.append(figures("all", everything))
+    for table in health_report.tables(found, measured):
+        console.print(table)
+    if json_out is not None:
+        json_out.write_text(json.dumps(health_report.as_json(found, measured), indent=1, allow_nan=False) + "\n")
+    if markdown_out is not None:
+        markdown_out.write_text(health_report.markdown(found, measured))
+    if picture is not None:
+        health_report.draw_reliability(found, picture)
 
 
-def _incidents(
-    name: str, count: int, cache: Path, first_seed: int, kinds_of: Callable[[int], Sequence[str]]
-) -> "Iterator[Incident]":
-    """Incidents in procedural sequences, `kinds_of` says which in each."""
-    from captra.evaluation.incidents import LONGEST, make_incident
+def sources_of(
+    name: str, count: int, cache: Path, first_seed: int, frames: int | None = None
+) -> "Sequence[SequenceSource]":
+    """Procedural sequences of a category, by default as long as incidents need them."""
+    from captra.evaluation.incidents import LONGEST
     from captra.evaluation.sequence_cache import SequenceCache
     from captra.evaluation.sequences import procedural
 
-    for index, source in enumerate(procedural(name, count, SequenceCache.open(cache), LONGEST, first_seed)):
-        recording = source.load().recording
-        for kind in kinds_of(index):
-            yield make_incident(kind, recording, index)
+    return list(procedural(name, count, SequenceCache.open(cache), frames or LONGEST, first_seed))

@@ -1,131 +1,107 @@
-"""What watched incidents tell of the tracker's honesty: calibration, detection, false alarms, recovery."""
+"""The figures of `captra health` as tables, Markdown, JSON and a reliability diagram."""
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
 
 import numpy as np
-from jaxtyping import Bool, Int
 from rich.table import Table
 
-from captra.evaluation.calibration import auroc
-from captra.evaluation.watching import Watched
-from captra.health import State
-from captra.metrics import within
+from captra.evaluation.health_figures import DEADLINE, HealthFigures, Share
+from captra.evaluation.prediction_rates import Rate
 
-SAID = frozenset({State.LOST, State.RECOVERING})
-"""States that say a track was lost."""
+RATE_COLUMNS = ("category", "Hz", "prediction", "frames", "5°5cm %", "rotation °", "translation cm")
 
-DEADLINE = 5
-"""Frames within which a lost track should say so."""
-
-LOST_DEG, LOST_CM = 20.0, 10.0
-"""A pose that is further off, or of an object that is not in the cloud, is lost."""
-
-HELD_DEG, HELD_CM = 10.0, 10.0
-"""An incident counts as one of a track that held if the pose before it was within these."""
-
-BINS = 5
+OCCLUSIONS = {"occlusion": "≥ 80 %", "occlusion, moved": "≥ 60 %"}
+"""What recovery from 30 frames of occlusion should reach."""
 
 
-@dataclass(frozen=True)
-class Loss:
-    """A track that was lost."""
+def rows(found: Sequence[HealthFigures]) -> Iterator[tuple[str, ...]]:
+    """What was measured, its bar, and a cell for each category."""
 
-    delay: int | None
-    """Frames until it said so, counting the first as 1; none if it never did."""
+    def row(what: str, bar: str, cells: list[str]) -> tuple[str, ...]:
+        return (what, bar, *cells)
 
-
-@dataclass(frozen=True)
-class Recovery:
-    """What became of a track whose object came back into sight."""
-
-    kind: str
-    """Of the incident."""
-    found: bool
-    """Whether it was tracking within 10° and 10 cm before the sequence ended."""
-    found_well: bool
-    """Whether it was tracking within 5° and 5 cm."""
-
-
-def losses(watched: Iterable[Watched]) -> list[Loss]:
-    """Every time a track was lost for longer than the deadline."""
-    found = []
-    for one in watched:
-        gone = ~(within(one.rotation_deg, one.translation_cm, LOST_DEG, LOST_CM).all(axis=1) & one.seen)
-        said = np.array([state in SAID for state in one.states])
-        found += [_loss(said, first) for first in _beginnings(gone, DEADLINE + 1)]
-    return found
+    yield row("incidents", "", [str(one.incidents) for one in found])
+    yield row("frames within 5° and 5 cm", "", [str(one.right) for one in found])
+    yield row("AUROC of the confidence", "≥ 0.95", [f"{one.auroc:.3f}" for one in found])
+    yield row("mean calibration error", "", [f"{one.calibration_error:.3f}" for one in found])
+    yield row(f"losses told within {DEADLINE} frames", "≥ 95 %", [str(one.told_in_time) for one in found])
+    delays = [f"{one.delay_p50_frames:.0f} / {one.delay_p95_frames:.0f}" for one in found]
+    yield row("delay p50 / p95, frames", "", delays)
+    yield row("good frames called lost", "≤ 1 %", [str(one.good_called_lost) for one in found])
+    for kind in dict.fromkeys(kind for one in found for kind in one.recovered):
+        cells = [str(one.recovered.get(kind, Share(0, 0))) for one in found]
+        yield row(f"recovered: {kind}", OCCLUSIONS.get(kind, ""), cells)
+        yield row("… within 5° and 5 cm", "", [str(one.recovered_well.get(kind, Share(0, 0))) for one in found])
 
 
-def _loss(said: Bool[np.ndarray, " frames"], first: int) -> Loss:
-    after = np.flatnonzero(said[first:])
-    return Loss(int(after[0]) + 1 if len(after) else None)
+def rate_rows(rates: Sequence[Rate]) -> Iterator[tuple[str, ...]]:
+    """One row for each rate and way to expect the next pose."""
+    for one in rates:
+        errors = (f"{one.within_5deg_5cm_percent:.1f}", f"{one.rotation_deg:.2f}", f"{one.translation_cm:.2f}")
+        yield (one.name, f"{one.hertz:.0f}", one.prediction, str(one.frames), *errors)
 
 
-def _beginnings(flags: Bool[np.ndarray, " frames"], length: int) -> Int[np.ndarray, " runs"]:
-    """Where runs of at least `length` true values begin, after a frame that is false."""
-    edges = np.diff(np.r_[1, flags.astype(int), 0])
-    starts, stops = np.flatnonzero(edges == 1), np.flatnonzero(edges == -1)
-    stops = stops[stops > starts[0]] if len(starts) else stops[:0]
-    return np.asarray(starts[stops - starts >= length])
+def tables(found: Sequence[HealthFigures], rates: Sequence[Rate]) -> Iterator[Table]:
+    """For the terminal."""
+    yield _table("how the tracker takes what goes wrong", _columns(found), rows(found))
+    if rates:
+        yield _table("with and without a prediction of the next pose", RATE_COLUMNS, rate_rows(rates))
 
 
-def false_alarms(watched: Iterable[Watched]) -> tuple[int, int]:
-    """Good frames called lost, and good frames: before anything happens, and after the track holds again."""
-    alarms = good = 0
-    for one in watched:
-        before = np.arange(1, len(one.states) + 1) < one.incident.start
-        tracking = np.array([state is State.TRACKING for state in one.states])
-        again = np.flatnonzero(tracking & (np.arange(1, len(one.states) + 1) > one.incident.stop))
-        counted = before | (np.arange(len(one.states)) >= (again[0] if len(again) else len(one.states)))
-        counted &= one.correct
-        alarms += int((counted & np.array([state is State.LOST for state in one.states])).sum())
-        good += int(counted.sum())
-    return alarms, good
+def markdown(found: Sequence[HealthFigures], rates: Sequence[Rate]) -> str:
+    """The same tables in Markdown."""
+    parts = [_markdown(_columns(found), rows(found))]
+    if rates:
+        parts.append(_markdown(RATE_COLUMNS, rate_rows(rates)))
+    return "\n\n".join(parts) + "\n"
 
 
-def recoveries(watched: Iterable[Watched]) -> list[Recovery]:
-    """Every incident of a track that held before it, if the object was back for a while."""
-    found = []
-    for one in watched:
-        before, back = one.incident.start - 2, one.incident.stop - 1
-        held = np.asarray(within(one.rotation_deg, one.translation_cm, HELD_DEG, HELD_CM).all(axis=1))
-        if one.incident.kind == "nothing" or not held[before] or len(held) - back <= DEADLINE:
-            continue
-        tracking = np.array([state is State.TRACKING for state in one.states])
-        ends = tracking[-DEADLINE:]
-        well = bool((ends & one.correct[-DEADLINE:]).any())
-        found.append(Recovery(one.incident.kind, bool((ends & held[-DEADLINE:]).any()), well))
-    return found
+def as_json(found: Sequence[HealthFigures], rates: Sequence[Rate]) -> dict[str, Any]:
+    """All figures as plain values; what could not be measured is null."""
+    return {"health": [_plain(asdict(one)) for one in found], "rates": [_plain(asdict(one)) for one in rates]}
 
 
-def summary(name: str, watched: Sequence[Watched]) -> Table:
-    """All figures of one category."""
-    confidence = np.concatenate([one.confidence for one in watched])
-    correct = np.concatenate([one.correct for one in watched])
-    lost, (alarms, good) = losses(watched), false_alarms(watched)
-    delays = np.array([loss.delay for loss in lost if loss.delay is not None])
-    table = Table(title=f"{name}: {len(watched)} incidents, {len(correct)} frames, {100 * correct.mean():.0f} % right")
-    table.add_column("what", no_wrap=True)
-    table.add_column("value", justify="right")
-    table.add_row("AUROC of the confidence", f"{auroc(confidence, correct):.3f}")
-    in_time = int((delays <= DEADLINE).sum())
-    table.add_row(f"losses told within {DEADLINE} frames", _share(in_time, len(lost)))
-    if len(delays):
-        table.add_row("delay p50 / p95, frames", f"{np.median(delays):.0f} / {np.quantile(delays, 0.95):.0f}")
-    table.add_row("good frames called lost", _share(alarms, good))
-    for kind in dict.fromkeys(one.incident.kind for one in watched):
-        back = [recovery for recovery in recoveries(watched) if recovery.kind == kind]
-        if back:
-            table.add_row(f"recovered: {kind}", _share(sum(one.found for one in back), len(back)))
-            table.add_row("  … within 5° and 5 cm", _share(sum(one.found_well for one in back), len(back)))
-    for low in np.arange(BINS) / BINS:
-        chosen = (confidence >= low) & (confidence < low + 1 / BINS + (low + 1 / BINS >= 1))
-        if chosen.any():
-            told = f"confidence {low:.1f}-{low + 1 / BINS:.1f}: mean {confidence[chosen].mean():.2f}, right"
-            table.add_row(told, _share(int(correct[chosen].sum()), int(chosen.sum())))
-    return table
+def draw_reliability(found: Sequence[HealthFigures], picture: Path) -> None:
+    """Share of right frames over the confidence, a line a category; a dot's area tells how many frames it holds."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(5.4, 5.2), layout="constrained")
+    axes = figure.subplots()
+    axes.plot([0, 1], [0, 1], color="black", linewidth=0.8, linestyle=":")
+    for one in found:
+        x, y = [b.confidence for b in one.reliability], [b.right.percent / 100 for b in one.reliability]
+        (line,) = axes.plot(x, y, linewidth=1.2, label=f"{one.name}, AUROC {one.auroc:.3f}")
+        sizes = [8 + 150 * b.right.whole / one.right.whole for b in one.reliability]
+        axes.scatter(x, y, s=sizes, color=line.get_color(), alpha=0.6)
+    axes.set(xlim=(0, 1), ylim=(0, 1), xlabel="confidence", ylabel="share of poses within 5° and 5 cm", aspect="equal")
+    axes.legend(fontsize="small")
+    figure.savefig(picture, dpi=110)
 
 
-def _share(part: int, whole: int) -> str:
-    return f"{100 * part / whole:.1f} % of {whole}" if whole else "none"
+def _columns(found: Sequence[HealthFigures]) -> tuple[str, ...]:
+    return ("figure", "bar", *(one.name for one in found))
+
+
+def _table(title: str, columns: Sequence[str], body: Iterator[tuple[str, ...]]) -> Table:
+    result = Table(title=title)
+    for index, column in enumerate(columns):
+        result.add_column(column, justify="left" if index == 0 else "right", no_wrap=True)
+    for cells in body:
+        result.add_row(*cells)
+    return result
+
+
+def _markdown(columns: Sequence[str], body: Iterator[tuple[str, ...]]) -> str:
+    rule = ["---", *["---:"] * (len(columns) - 1)]
+    return "\n".join("| " + " | ".join(cells) + " |" for cells in (columns, rule, *body))
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _plain(inner) for key, inner in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain(inner) for inner in value]
+    return None if isinstance(value, float) and not np.isfinite(value) else value

@@ -66,7 +66,7 @@ def evaluate(
 def follow_and_score(networks: NetworksSource, follower: Follower, source: SequenceSource) -> Outcome:
     """Load, follow and score one sequence."""
     sequence = source.load()
-    track = follower(_loaded(networks), sequence)
+    track = follower(loaded(networks), sequence)
     return Outcome(source, track, score(sequence.recording, track.poses, sequence.model))
 
 
@@ -78,10 +78,10 @@ def response_of(
 
 
 def _respond(networks: NetworksSource, source: SequenceSource) -> list[Response]:
-    return response(_loaded(networks), source.load().recording)
+    return response(loaded(networks), source.load().recording)
 
 
 @lru_cache(maxsize=1)
-def _loaded(networks: NetworksSource) -> Networks:
+def loaded(networks: NetworksSource) -> Networks:
     """The networks of the last sequence, which mostly are those of the next one too."""
     return networks.load()

@@ -20,8 +20,16 @@ from captra.tracker import Tracker
 class Watched:
     """One incident as a tracker saw it; frames start with the second one."""
 
-    incident: Incident
-    """What happened."""
+    name: str
+    """Of the sequence and what happened in it."""
+    kind: str
+    """A key of `INCIDENTS`."""
+    start: int
+    """First frame of the recording that was not as it should be."""
+    stop: int
+    """First frame that was as it should be again."""
+    seen: Bool[np.ndarray, " frames"]
+    """Whether the object was in the cloud."""
     states: tuple[State, ...]
     """What the tracker said of each frame."""
     confidence: Float64[np.ndarray, " frames"]
@@ -34,11 +42,6 @@ class Watched:
     """What the confidence was computed from; NaN for frames without points near the object."""
     looks_ms: Float64[np.ndarray, " frames"]
     """Time of each step."""
-
-    @property
-    def seen(self) -> Bool[np.ndarray, " frames"]:
-        """Whether the object is in the cloud."""
-        return self.incident.seen[1:]
 
     @property
     def part_correct(self) -> Bool[np.ndarray, "frames parts"]:
@@ -75,7 +78,11 @@ def _watch(tracker: Tracker, incident: Incident) -> Watched:
         rows.append((*told[1:], rotation, translation_error_cm(pose.translation, truth.translation)))
     states, confidence, known, looks_ms, rotation, translation = zip(*rows, strict=True)
     return Watched(
-        incident,
+        recording.name,
+        incident.kind,
+        incident.start,
+        incident.stop,
+        incident.seen[1:],
         states,
         np.array(confidence),
         np.array(rotation),

@@ -8,6 +8,7 @@ from service.rest.examples import DEPTH_CAMERA, MUG_PART, ROS2
 from service.rest.vectors import Finite, Matrix3, Vector3, Vector4
 from service.ros2.names import check_topic
 from service.settings import ProfileName
+from service.track_options import Prediction
 
 
 class Input(BaseModel):
@@ -45,6 +46,7 @@ class Part(Input):
 
 
 Focal = Annotated[float, Field(gt=0, allow_inf_nan=False)]
+Gain = Annotated[float, Field(ge=0, le=1e6, allow_inf_nan=False)]
 Count = Annotated[int, Field(ge=1, le=65_535)]
 Parts = Annotated[list[Part], Field(min_length=1, max_length=64, description="In the order of the category's parts.")]
 
@@ -86,6 +88,16 @@ class Ros2(Input):
     )
 
 
+class Smoothing(Input):
+    """The One-Euro filter: still objects rest, fast ones do not lag."""
+
+    cutoff_hz: Annotated[float, Field(gt=0, le=1000, allow_inf_nan=False)] = Field(
+        default=1.0, description="Cut-off frequency at rest: lower ones jitter less and lag more."
+    )
+    translation_gain: Gain = Field(default=10.0, description="Hertz of cut-off per m/s.")
+    rotation_gain: Gain = Field(default=2.0, description="Hertz of cut-off per rad/s.")
+
+
 class NewPose(Input):
     """A pose to start again from."""
 
@@ -119,3 +131,16 @@ class NewSession(Input):
     )
     camera: Camera | None = Field(default=None, description="Needed by depth images.")
     ros2: Ros2 | None = Field(default=None, description="Needs a service that is a node of ROS 2 (CAPTRA_ROS2).")
+    prediction: Prediction | None = Field(
+        default=None,
+        description="Where the object is expected in the next frame: where it was, or where its velocity carries it, "
+        "by the frames' stamps; by default the service's own choice.",
+    )
+    smoothing: Smoothing | None = Field(
+        default=None, description="Filter what is published, by the frames' stamps; tracking itself is not changed."
+    )
+    joint_axes: Annotated[dict[str, Vector3], Field(max_length=64)] | None = Field(
+        default=None,
+        description="Keep parts on their joints: axis by joint, in the parent part's frame; a joint that is not named "
+        "has the category's axis. Without it every part moves freely.",
+    )

@@ -31,6 +31,7 @@ from service.rest.bodies import JsonRoute
 from service.rest.cameras import camera_of
 from service.rest.dependencies import OnThread, OpenSession, Service, SessionId
 from service.rest.inputs import NewPose, NewSession
+from service.rest.options import track_options_of
 from service.rest.outputs import OpenedSession, Result, Sessions, SessionState
 from service.rest.poses import pose_of
 from service.rest.problems import documented
@@ -143,4 +144,5 @@ def order_of(body: NewSession, settings: Settings) -> Order:
         camera=None if body.camera is None else camera_of(body.camera),
         masks=body.masks,
         ros2=ros2_names(body, settings),
+        options=track_options_of(body, category, settings.prediction),
     )

@@ -51,7 +51,7 @@ def test_a_time_budget_allows_as_many_looks_as_fit() -> None:
     assert budget.looks() == 4
     for _ in range(50):
         budget.spent(400.0)
-    assert budget.looks() == 1
+    assert budget.looks() == TimeBudget.FEWEST_LOOKS
     for _ in range(100):
         budget.spent(0.1)
     assert budget.looks() == TimeBudget.MOST_LOOKS
@@ -76,11 +76,11 @@ def tracker_of(moved_m: float, looks: int) -> tuple[Tracker, np.ndarray, Pose, P
     networks = Following(category, truth, start)
 
     class Watching(Tracker):
-        def _look(self, observation, segmentation, around):  # type: ignore[no-untyped-def]
+        def _look(self, observation, segmentation, around, looks):  # type: ignore[no-untyped-def]
             found: list[Sighting] = []
             for pose in around:
                 networks.last = pose
-                found += super()._look(observation, segmentation, [pose])
+                found += super()._look(observation, segmentation, [pose], looks)
             return found
 
     monitor = HealthMonitor(state=State.LOST)

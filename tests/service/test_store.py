@@ -15,6 +15,9 @@ from service import sqlite_store
 from service.camera import Camera
 from service.sqlite_store import SqliteSessionStore
 from service.store import InMemorySessionStore, SessionRecord, SessionStore, StoreError, TrustedPose
+from service.track_options import Smoothing, TrackOptions
+
+OPTIONS = TrackOptions("constant-velocity", Smoothing(1.5, 10.0, 2.0), {"hinge": (-1.0, 0.0, 0.25)})
 
 
 def pose(x: float) -> Pose:
@@ -24,9 +27,8 @@ def pose(x: float) -> Pose:
 def record(session_id: str, created_ns: int = 0) -> SessionRecord:
     camera = Camera(Intrinsics(590.0, 591.0, 319.5, 239.5), 0.001, 640, 480)
     trusted = TrustedPose(pose(0), None)
-    return SessionRecord(
-        session_id, "mug", "realtime", "camera", 60.0, created_ns, trusted, camera=camera, masks="object"
-    )
+    kept = SessionRecord(session_id, "mug", "realtime", "camera", 60.0, created_ns, trusted)
+    return replace(kept, camera=camera, masks="object", options=OPTIONS)
 
 
 def same(one: SessionRecord, other: SessionRecord) -> bool:

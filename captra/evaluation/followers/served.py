@@ -10,6 +10,7 @@ from captra.evaluation.sequences import Sequence
 from captra.geometry import Pose
 from captra.health import State
 from captra.looking import Networks
+from captra.motion import STANDING_STILL, MotionModel
 from captra.perturbation import perturb
 from captra.size_memory import GIVEN_WEIGHT_FRAMES
 from captra.tracker import Tracker, TrackerOptions
@@ -30,20 +31,23 @@ class Served:
     """Pose noise added to the last pose before every step, in the same units."""
     given_weight_frames: float = GIVEN_WEIGHT_FRAMES
     """Frames that the size of the given pose is worth."""
+    motion: MotionModel = STANDING_STILL
+    """Where the next pose is expected."""
 
     def __call__(self, networks: Networks, sequence: Sequence) -> Track:
         """Follow the object; the noise is the same in every run."""
         recording = sequence.recording
         rng = np.random.default_rng(zlib.crc32(recording.name.encode()))
         start = _disturbed(recording.init, networks, rng, self.start_noise)
-        tracker = Tracker(networks, start, options=TrackerOptions(given_weight_frames=self.given_weight_frames))
+        options = TrackerOptions(motion=self.motion, given_weight_frames=self.given_weight_frames)
+        tracker = Tracker(networks, start, options=options)
         states: list[State] = [State.TRACKING]
 
-        def step(cloud: np.ndarray, _frame: int, last: Pose) -> Pose:
+        def step(cloud: np.ndarray, frame: int, last: Pose) -> Pose:
             if self.frame_noise:
                 tracker.displace(_disturbed(last, networks, rng, self.frame_noise))
             states.append(states[-1])
-            result = tracker.step(cloud)
+            result = tracker.step(cloud, time_s=1e-9 * recording.stamps_ns[frame])
             states[-1] = result.state
             return result.pose
 

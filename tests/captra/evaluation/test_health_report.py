@@ -1,28 +1,46 @@
-from collections.abc import Sequence
+import collections.abc
+import json
+import pickle
+from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.image import imread
+from rich.console import Console
 
 from captra.confidence import FEATURES
-from captra.evaluation.health_report import Loss, false_alarms, losses, recoveries, summary
-from captra.evaluation.incidents import INCIDENTS, LEAD, Incident, make_incident
+from captra.evaluation.health_figures import Loss, Share, false_alarms, figures, losses, recoveries, reliability
+from captra.evaluation.health_report import as_json, draw_reliability, markdown, tables
+from captra.evaluation.incident_runner import Rehearsal, watch_all
+from captra.evaluation.incidents import INCIDENTS, LEAD, make_incident
+from captra.evaluation.prediction_rates import EveryNth, Rate, rates
+from captra.evaluation.sequences import Sequence
 from captra.evaluation.watching import Watched, watch
+from captra.evaluation.workers import Here
 from captra.health import State
 from captra.tracker import Tracker
-from tests.captra.evaluation.test_evaluation import still_recording
+from tests.captra.evaluation.test_evaluation import Held, Ready, still_recording
 from tests.oracle import OracleNetworks
 
 T, U, L, R = State.TRACKING, State.UNCERTAIN, State.LOST, State.RECOVERING
 
 
 def told(
-    states: Sequence[State], error_deg: Sequence[float], start: int, stop: int, kind: str = "occlusion"
+    states: collections.abc.Sequence[State],
+    error_deg: collections.abc.Sequence[float],
+    start: int,
+    stop: int,
+    kind: str = "occlusion",
 ) -> Watched:
     """A track with these states and errors; the object is unseen where the error is not a number."""
     rotation = np.array(error_deg, float)
     seen = np.r_[True, np.isfinite(rotation)]
     return Watched(
-        incident=Incident("occlusion", still_recording("camera", len(seen)), seen, start, stop),
+        name="camera",
+        kind=kind,
+        start=start,
+        stop=stop,
+        seen=seen[1:],
         states=tuple(states),
         confidence=np.where(np.array(states) == T, 0.9, 0.1),
         rotation_deg=np.nan_to_num(rotation)[:, None],
@@ -44,7 +62,7 @@ def test_a_loss_counts_from_its_first_frame() -> None:
 
 def test_good_frames_called_lost_are_counted_outside_the_search() -> None:
     one = told([T, L, T, *[L] * 6, T, T, L], [1, 1, 1, *[HIDDEN] * 6, 1, 1, 1], 4, 10)
-    assert false_alarms([one]) == (2, 5)
+    assert false_alarms([one]) == Share(2, 5)
 
 
 def test_recovery_needs_a_right_pose_in_a_track_that_held_before() -> None:
@@ -63,9 +81,70 @@ def test_recovery_needs_a_right_pose_in_a_track_that_held_before() -> None:
     ]
 
 
-def test_the_summary_holds_every_figure() -> None:
-    table = summary("camera", [told([T, T, *[L] * 6, *[T] * 8], [1, 1, *[HIDDEN] * 6, *[1] * 8], 3, 9)])
-    assert table.row_count == 8
+def test_reliability_holds_every_frame_in_the_bin_of_its_confidence() -> None:
+    confidence, correct = np.array([0.02, 0.04, 0.55, 0.95, 1.0]), np.array([False, True, True, True, True])
+    low, middle, high = reliability(confidence, correct)
+    assert (low.right, middle.right, high.right) == (Share(1, 2), Share(1, 1), Share(2, 2))
+    assert [low.confidence, high.confidence] == pytest.approx([0.03, 0.975])
+
+
+def test_every_form_of_the_report_holds_every_figure(tmp_path: Path) -> None:
+    one = told([T, T, *[L] * 6, *[T] * 8], [1, 1, *[HIDDEN] * 6, *[1] * 8], 3, 9)
+    found = [figures("camera", [one]), figures("all", [one])]
+    assert found[0].auroc == 1
+    assert (found[0].told_in_time, found[0].recovered["occlusion"]) == (Share(1, 1), Share(1, 1))
+    assert found[0].calibration_error == pytest.approx(0.1)
+    rates = [Rate("camera", 10.0, "none", 16, 87.5, 2.25, 0.5)]
+    console = Console(record=True, width=200)
+    for table in tables(found, rates):
+        console.print(table)
+    for text in (console.export_text(), markdown(found, rates)):
+        for cell in ("AUROC", "≥ 0.95", "1.000", "recovered: occlusion", "≥ 80 %", "100.0 % of 1", "87.5"):
+            assert cell in text
+    plain = json.loads(json.dumps(as_json(found, rates), allow_nan=False))
+    assert plain["health"][0]["recovered"]["occlusion"] == {"part": 1, "whole": 1}
+    assert plain["rates"][0]["within_5deg_5cm_percent"] == 87.5
+    draw_reliability(found, tmp_path / "reliability.png")
+    assert imread(tmp_path / "reliability.png").std() > 0
+
+
+def test_figures_that_cannot_be_measured_are_null(tmp_path: Path) -> None:
+    calm = told([T] * 5, [1] * 5, 6, 6, "nothing")
+    (plain,) = as_json([figures("camera", [calm])], [])["health"]
+    assert (plain["auroc"], plain["delay_p50_frames"], plain["recovered"]) == (None, None, {})
+
+
+def test_incidents_can_be_watched_by_other_processes_without_their_clouds() -> None:
+    recording = still_recording("camera", 24)
+    source, truth = Held(Sequence(recording, ())), recording.truth(0)
+    rehearsals = [Rehearsal(source, ("nothing", "removed"), 0)]
+    oracle = Ready(OracleNetworks(recording.category, truth, truth))
+    ((calm, removed),) = watch_all(oracle, rehearsals, Here(), {}, looks=2)
+    assert (calm.kind, removed.kind) == ("nothing", "removed")
+    assert calm.correct.all()
+    assert len(pickle.dumps(removed)) < recording.clouds[0].nbytes / 3
+
+
+def test_every_third_frame_is_a_camera_at_a_third_of_the_rate() -> None:
+    recording = still_recording("camera", 10)
+    thin = EveryNth(Held(Sequence(recording, ())), 3).load().recording
+    assert len(thin) == len(thin.labels) == len(thin.rotation) == 4
+    assert np.diff(thin.stamps_ns).tolist() == [3 * 33_000_000] * 3
+
+
+def test_rates_are_measured_with_and_without_prediction() -> None:
+    recording = still_recording("camera", 7)
+    model = (np.random.default_rng(0).uniform(-0.5, 0.5, (200, 3)).astype(np.float32) * recording.size[0],)
+    truth = recording.truth(0)
+    networks = Ready(OracleNetworks(recording.category, truth, truth))
+    found = list(rates("camera", networks, [Held(Sequence(recording, model))], Here()))
+    assert [(one.hertz, one.prediction, one.frames) for one in found] == [
+        (30, "none", 6),
+        (30, "constant velocity", 6),
+        (10, "none", 2),
+        (10, "constant velocity", 2),
+    ]
+    assert all(one.within_5deg_5cm_percent == 100 for one in found)
 
 
 @pytest.mark.parametrize("kind", INCIDENTS)
