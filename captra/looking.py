@@ -18,7 +18,7 @@ from captra.observations import Crop, Observation
 from captra.rotation_fusion import RotationFusion
 from captra.sampling import InputSampling, Neighborhoods, Profile, part_neighborhoods
 from captra.segmentation import NOTHING_KNOWN, Segmentation, overrule, without_background
-from captra.side_by_side import side_by_side
+from captra.side_by_side import SideBySide
 from captra.solving import Prediction, per_point_rotations, reject_leaps, solve
 
 
@@ -40,6 +40,10 @@ class Networks(Protocol):
     @property
     def rotation_fusion(self) -> RotationFusion:
         """Whose word counts for rotations."""
+
+    @property
+    def side_by_side(self) -> SideBySide:
+        """How two pieces of work share the cores that the networks may use."""
 
     def coordinates(
         self, points_canonical: Float32[np.ndarray, "points 3"], neighborhoods: Neighborhoods
@@ -105,7 +109,7 @@ def look(
     category = networks.category
     crop = choose_points(observation, around, category, networks.profile.points, networks.input_sampling, segmentation)
     points_canonical = canonicalize(crop.points, around)
-    neighborhoods = part_neighborhoods(points_canonical, networks.profile)
+    neighborhoods = part_neighborhoods(points_canonical, networks.profile, networks.side_by_side)
     sampled = perf_counter()
     prediction = predict(networks, points_canonical, neighborhoods, segmentation.labels(crop.indices))
     inferred = perf_counter()
@@ -149,7 +153,7 @@ def predict(
 ) -> Prediction:
     """Run both networks on the canonical clouds; `labels` (see `captra.segmentation`) overrule CoordinateNet's."""
     root = networks.category.root
-    (segmentation, coordinates), raw_rotations = side_by_side(
+    (segmentation, coordinates), raw_rotations = networks.side_by_side(
         lambda: networks.coordinates(points_canonical[root], neighborhoods[root]),
         lambda: networks.rotations(points_canonical, neighborhoods),
     )

@@ -1,16 +1,17 @@
 """From a cloud to the points and index lists that the networks read; every kernel is compiled and releases the GIL."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from types import MappingProxyType
 
 import numpy as np
 from jaxtyping import Float, Float32, Int32, Int64
 
-from captra.compiled import compiled
+from captra.compiled import compiled_without_nan
 from captra.farthest import farthest_order
 from captra.geometry import Pose
 from captra.observations import Crop, Observation
+from captra.side_by_side import IN_TURN, SideBySide
 
 RADII = ((0.05, 0.1, 0.2), (0.2, 0.4))
 """Radii of the groups of both set-abstraction levels, in canonical units (box diagonal = 1)."""
@@ -20,6 +21,9 @@ MINIMUM_CROP_RADIUS_M = 0.05
 MINIMUM_CROP_POINTS = 10
 CROP_GROWTH = 1.1
 CROP_ATTEMPTS = 10
+
+LANES = 16
+"""Distances that the processor compares at a time."""
 
 
 @dataclass(frozen=True)
@@ -108,7 +112,7 @@ def farthest_points(
     return np.resize(order, count)
 
 
-@compiled
+@compiled_without_nan
 def _ball_queries(
     points: Float32[np.ndarray, "points 3"],
     centroids: int,
@@ -118,36 +122,29 @@ def _ball_queries(
     groups = np.zeros((centroids, sizes.sum()), np.int32)
     starts = np.cumsum(sizes) - sizes
     squared_radii = radii * radii
-    widest = squared_radii[-1]
-    found = np.zeros(len(radii), np.int64)
     x, y, z = points[:, 0].copy(), points[:, 1].copy(), points[:, 2].copy()
     squared = np.empty(len(points), np.float32)
     near = np.empty(len(points) + 1, np.int32)
+    within = np.empty(len(points) + 1, np.int32)
     for c in range(centroids):
-        # Distances first, then the few within reach, so that the processor vectorizes the one and guesses no branch in
-        # the other.
+        # Distances first, then the few within reach of the widest radius, then of each, so that the processor
+        # vectorizes the one and guesses no branch in the others.
         for i in range(len(points)):
             dx, dy, dz = x[i] - x[c], y[i] - y[c], z[i] - z[c]
             squared[i] = dx * dx + dy * dy + dz * dz
         count = 0
         for i in range(len(points)):
             near[count] = i
-            count += squared[i] < widest
-        found[:] = 0
-        wanting = len(radii)
-        for n in range(count):
-            i = near[n]
-            for r in range(len(radii)):
-                if squared[i] < squared_radii[r] and found[r] < sizes[r]:
-                    groups[c, starts[r] + found[r]] = i
-                    found[r] += 1
-                    if found[r] == sizes[r]:
-                        wanting -= 1
-            if wanting == 0:
-                break
+            count += squared[i] < squared_radii[-1]
         for r in range(len(radii)):
-            if found[r] > 0:
-                groups[c, starts[r] + found[r] : starts[r] + sizes[r]] = groups[c, starts[r]]
+            found = 0
+            for n in range(count):
+                within[found] = near[n]
+                found += squared[near[n]] < squared_radii[r]
+            for n in range(min(found, sizes[r])):
+                groups[c, starts[r] + n] = within[n]
+            if 0 < found < sizes[r]:
+                groups[c, starts[r] + found : starts[r] + sizes[r]] = within[0]
     return groups
 
 
@@ -163,51 +160,88 @@ def ball_queries(
     return tuple(np.ascontiguousarray(group) for group in np.split(groups, np.cumsum(sizes)[:-1], axis=1))
 
 
-@compiled
+@compiled_without_nan
+def _third_smallest_of_lanes(values: Float32[np.ndarray, " multiple_of_lanes"]) -> np.float32:
+    """Third smallest of the minima of every `LANES`-th value: no less than the third smallest value of all."""
+    lanes = np.full(LANES, np.float32(np.inf))
+    for row in range(len(values) // LANES):
+        for lane in range(LANES):
+            lanes[lane] = min(lanes[lane], values[row * LANES + lane])
+    first = second = third = np.float32(np.inf)
+    for lane in range(LANES):
+        value = lanes[lane]
+        third = min(third, max(second, value))
+        second = min(second, max(first, value))
+        first = min(first, value)
+    return third
+
+
+@compiled_without_nan
 def three_nearest(points: Float32[np.ndarray, "points 3"], references: int) -> Int32[np.ndarray, "points 3"]:
-    """The three nearest of the first `references` points for each point, nearest first."""
+    """The three nearest of the first `references` points for each point, nearest first; equals go by index."""
     nearest = np.zeros((len(points), 3), np.int32)
+    infinity = np.float32(np.inf)
+    rows = (references + LANES - 1) // LANES
+    x, y, z = np.zeros((3, rows * LANES), np.float32)
+    x[:references], y[:references], z[:references] = (
+        points[:references, 0],
+        points[:references, 1],
+        points[:references, 2],
+    )
+    squared = np.empty(rows * LANES, np.float32)
     for i in range(len(points)):
-        first = second = third = np.float32(np.inf)
+        px, py, pz = points[i, 0], points[i, 1], points[i, 2]
+        for r in range(rows * LANES):
+            dx, dy, dz = x[r] - px, y[r] - py, z[r] - pz
+            squared[r] = dx * dx + dy * dy + dz * dz
+        squared[references:] = infinity
+        reach = _third_smallest_of_lanes(squared)
+        first = second = third = infinity
         a = b = c = 0
-        for r in range(references):
-            dx, dy, dz = points[r, 0] - points[i, 0], points[r, 1] - points[i, 1], points[r, 2] - points[i, 2]
-            squared = dx * dx + dy * dy + dz * dz
-            if squared < third:
-                if squared < second:
-                    third, c = second, b
-                    if squared < first:
-                        second, b = first, a
-                        first, a = squared, r
+        for row in range(rows):
+            lowest = infinity
+            for r in range(row * LANES, row * LANES + LANES):
+                lowest = min(lowest, squared[r])
+            if lowest > reach:  # as nearly all rows
+                continue
+            for r in range(row * LANES, row * LANES + LANES):
+                if squared[r] < third:
+                    if squared[r] < second:
+                        third, c = second, b
+                        if squared[r] < first:
+                            second, b = first, a
+                            first, a = squared[r], r
+                        else:
+                            second, b = squared[r], r
                     else:
-                        second, b = squared, r
-                else:
-                    third, c = squared, r
+                        third, c = squared[r], r
         nearest[i, 0], nearest[i, 1], nearest[i, 2] = a, b, c
     return nearest
 
 
 def build_neighborhoods(points_canonical: Float32[np.ndarray, "N 3"], profile: Profile) -> Neighborhoods:
-    """All index inputs of one network for one canonical cloud in farthest-point order."""
-    first, second = profile.centroids
-    groups1, groups2 = _groups(points_canonical, profile)
-    return Neighborhoods(
-        groups1=groups1,
-        groups2=groups2,
-        nearest1=three_nearest(points_canonical, first),
-        nearest2=three_nearest(points_canonical[:first], second),
-    )
+    """Index inputs for one canonical cloud in farthest-point order."""
+    return Neighborhoods(*_groups(points_canonical, profile), *_nearest(points_canonical, profile))
 
 
-def part_neighborhoods(points_canonical: Float32[np.ndarray, "parts N 3"], profile: Profile) -> list[Neighborhoods]:
+def part_neighborhoods(
+    points_canonical: Float32[np.ndarray, "parts N 3"], profile: Profile, side_by_side: SideBySide = IN_TURN
+) -> list[Neighborhoods]:
     """Index inputs for the canonical clouds of all parts of one object.
 
     The clouds are similar to each other: which points are nearest is the same in all, what is within a radius is not.
     """
-    own, *others = points_canonical
-    shared = build_neighborhoods(own, profile)
-    groups = [_groups(cloud, profile) for cloud in others]
-    return [shared, *(replace(shared, groups1=first, groups2=second) for first, second in groups)]
+    nearest, groups = side_by_side(
+        lambda: _nearest(points_canonical[0], profile), lambda: [_groups(cloud, profile) for cloud in points_canonical]
+    )
+    return [Neighborhoods(*of_cloud, *nearest) for of_cloud in groups]
+
+
+def _nearest(
+    points_canonical: Float32[np.ndarray, "N 3"], profile: Profile
+) -> tuple[Int32[np.ndarray, "N 3"], Int32[np.ndarray, "M1 3"]]:
+    first, second = profile.centroids
+    return three_nearest(points_canonical, first), three_nearest(points_canonical[:first], second)
 
 
 def _groups(

@@ -38,6 +38,17 @@ class GraphWriter:
         self._nodes.append(helper.make_node(operator, list(inputs), [output], name=output, **attributes))
         return output
 
+    def split(self, value: str, pieces: int) -> list[str]:
+        """Pieces along the first axis, all equal but for the last one, which takes what is left over."""
+        rows = self("Slice", self("Shape", value), self.integers(0), self.integers(1))
+        piece = self("Div", rows, self.integers(pieces))
+        last = self("Sub", rows, self("Mul", piece, self.integers(pieces - 1)))
+        sizes = self("Concat", *[piece] * (pieces - 1), last, axis=0)
+        name = f"split_{len(self._nodes)}"
+        outputs = [f"{name}.{i}" for i in range(pieces)]
+        self._nodes.append(helper.make_node("Split", [value, sizes], outputs, name=name, axis=0))
+        return outputs
+
     def matrix(self, name: str, values: Float[np.ndarray, "inputs outputs"]) -> str:
         """A matrix of weights, stored in the graph's precision and cast to float32, once, when the model is loaded.
 
@@ -48,10 +59,12 @@ class GraphWriter:
             stored = values.astype(self._matrix_type)
         if not np.isfinite(stored).all():
             raise PrecisionError(f"{name} does not fit into {stored.dtype}: export with --precision float32")
+        known = name in self._constants
         constant = self._constant(name, stored)
         if stored.dtype == np.float32:
             return constant
-        return self("Cast", constant, name=f"{name}.float32", to=TensorProto.FLOAT)
+        cast = f"{name}.float32"
+        return cast if known else self("Cast", constant, name=cast, to=TensorProto.FLOAT)
 
     def vector(self, name: str, values: Float[np.ndarray, "..."]) -> str:
         """Biases and the like, always float32."""

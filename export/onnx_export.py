@@ -5,10 +5,11 @@ product follows grouping: three or six inputs cost nothing, and differences to t
 In the second level it runs before (`captra.learn.pointnet2`).
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import cast
 
+import numpy as np
 import onnx
 from onnx import TensorProto
 
@@ -25,6 +26,9 @@ from captra.learn.pointnet2 import (
 from captra.learn.rotation_net import RotationHead, RotationNet
 from export.graph import GraphWriter, tensor
 from export.layers import Matrix, affine, cloud_norm, fold, linear, normalized, normalized_maximum
+
+PIECES = 4
+"""Groups of each cloud are worked through in so many pieces."""
 
 GROUPS1 = ("group1_0", "group1_1", "group1_2")
 GROUPS2 = ("group2_0", "group2_1")
@@ -171,33 +175,52 @@ class _BackboneWriter:
             else:
                 hidden = self._before_grouping(mlp, scale, source, target, index, features)
             *middle, last = list(enumerate(mlp.layers))[1:]
-            for j, layer in middle:
-                hidden = normalized(g, hidden, layer, f"{scale}.{j}")
-            maxima.append(normalized_maximum(g, hidden, last[1], size, f"{scale}.{last[0]}"))
+            pieces = []
+            for first in hidden:
+                activations = first
+                for j, layer in middle:
+                    activations = normalized(g, activations, layer, f"{scale}.{j}")
+                pieces.append(normalized_maximum(g, activations, last[1], size, f"{scale}.{last[0]}"))
+            maxima.append(g("Concat", *pieces, axis=0))
         return g("Concat", *maxima, axis=1)
 
     def _after_grouping(
         self, mlp: PointwiseMlp, name: str, source: _Level, target: _Level, index: str, *, positions: bool
-    ) -> str:
+    ) -> list[str]:
         g = self._g
         matrix, bias = fold(mlp.layers[0])
-        grouped = g("Gather", source.rows, index, axis=0)
-        inputs = g("Sub", grouped, target.centres)
+        rows, centres = source.rows, target.centres
         if positions:
-            inputs = g("Concat", grouped, inputs, axis=2)
-        return g("Relu", affine(g, g("Reshape", inputs, g.integers(-1, len(matrix))), matrix, bias, f"{name}.0"))
+            only_centred = g.vector("positions.centred", np.repeat([0.0, 1.0], XYZ))
+            rows = g("Concat", rows, rows, axis=1)
+            centres = g("Mul", g("Concat", centres, centres, axis=2), only_centred)
+
+        def first_layer(index: str, centres: str) -> str:
+            inputs = g("Reshape", g("Sub", g("Gather", rows, index, axis=0), centres), g.integers(-1, len(matrix)))
+            return g("Relu", affine(g, inputs, matrix, bias, f"{name}.0"))
+
+        return [first_layer(*piece) for piece in self._pieces(index, centres)]
 
     def _before_grouping(
         self, mlp: PointwiseMlp, name: str, source: _Level, target: _Level, index: str, features: str
-    ) -> str:
+    ) -> list[str]:
         g = self._g
         matrix, bias = fold(mlp.layers[0])
         relative = g.matrix(f"{name}.0.relative", matrix[-XYZ:])
         of_features = g("MatMul", features, g.matrix(f"{name}.0.features", matrix[:-XYZ]))
         at_points = g("Add", of_features, g("MatMul", source.rows, relative))
         at_centres = g("Sub", g("MatMul", target.centres, relative), g.vector(f"{name}.0.bias", bias))
-        grouped = g("Sub", g("Gather", at_points, index, axis=0), at_centres)
-        return g("Relu", g("Reshape", grouped, g.integers(-1, len(bias))))
+
+        def first_layer(index: str, at_centres: str) -> str:
+            grouped = g("Sub", g("Gather", at_points, index, axis=0), at_centres)
+            return g("Relu", g("Reshape", grouped, g.integers(-1, len(bias))))
+
+        return [first_layer(*piece) for piece in self._pieces(index, at_centres)]
+
+    def _pieces(self, *by_centre: str) -> Iterator[tuple[str, ...]]:
+        """Values with a row for each centre in pieces that fit the processor's cache, for one to follow the other."""
+        pieces = PIECES * self._parts
+        return zip(*(self._g.split(value, pieces) for value in by_centre), strict=True)
 
     def _overall(self, abstraction: GlobalAbstraction, level: _Level, features: str) -> str:
         g = self._g

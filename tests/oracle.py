@@ -10,6 +10,7 @@ from captra.categories import Category, get_category
 from captra.geometry import Pose, axis_angle
 from captra.rotation_fusion import ROTATION_NET_ALONE, RotationFusion
 from captra.sampling import REALTIME, InputSampling, Neighborhoods, Profile
+from captra.side_by_side import IN_TURN, SideBySide
 
 
 @dataclass
@@ -22,6 +23,7 @@ class OracleNetworks:
     profile: Profile = REALTIME
     input_sampling: InputSampling = field(default_factory=InputSampling)
     rotation_fusion: RotationFusion = ROTATION_NET_ALONE
+    side_by_side: SideBySide = IN_TURN
 
     def coordinates(self, points_canonical: np.ndarray, neighborhoods: Neighborhoods) -> tuple[np.ndarray, np.ndarray]:
         """Exact coordinates; a point belongs to the part in whose box it lies, or else to the background."""

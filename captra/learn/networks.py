@@ -13,6 +13,7 @@ from captra.learn.pointnet2 import TorchNeighborhoods
 from captra.learn.rotation_net import RotationNet
 from captra.rotation_fusion import ROTATION_NET_ALONE, RotationFusion
 from captra.sampling import InputSampling, Neighborhoods, Profile
+from captra.side_by_side import IN_TURN, SideBySide
 
 
 @dataclass(frozen=True)
@@ -31,6 +32,8 @@ class TorchNetworks:
     """How the points were drawn in training."""
     rotation_fusion: RotationFusion = ROTATION_NET_ALONE
     """Whose word counts for rotations."""
+    side_by_side: SideBySide = IN_TURN
+    """PyTorch takes all cores by itself."""
     rotation_share: float = 1.0
     """Share of the points, the first ones, that RotationNet's heads are run on."""
 

@@ -14,6 +14,7 @@ from captra.runtime.bundle import COORDINATE, ROTATION, BundleError, Manifest, l
 from captra.runtime.cores import available_cores
 from captra.runtime.providers import Provider, choose_provider
 from captra.sampling import InputSampling, Neighborhoods, Profile
+from captra.side_by_side import SideBySide, WhileCoresAreFree
 
 Feed = dict[str, np.ndarray]
 
@@ -34,12 +35,19 @@ class OnnxNetworks:
     """Of both networks together."""
     rotated_points: int
     """Points, the first ones of a cloud, that RotationNet answers for."""
+    side_by_side: SideBySide
+    """How two pieces of work share these threads."""
     _coordinate: Any
     _rotation: Any
 
     @classmethod
     def load(
-        cls, bundle_folder: Path, profile: Profile, provider: str = "auto", threads: int | None = None
+        cls,
+        bundle_folder: Path,
+        profile: Profile,
+        provider: str = "auto",
+        threads: int | None = None,
+        side_by_side: SideBySide | None = None,
     ) -> "OnnxNetworks":
         """Load both networks for one profile.
 
@@ -48,6 +56,7 @@ class OnnxNetworks:
             profile: shapes of the inputs; other shapes are refused later.
             provider: auto, cpu, openvino or cuda.
             threads: of both networks together; by default as many as the container may use.
+            side_by_side: how work shares these threads, by default for these networks alone.
 
         Raises:
             BundleError: the bundle is damaged, incomplete or of another version.
@@ -73,7 +82,8 @@ class OnnxNetworks:
             runs = runs_at_a_time(threads, parts)
             chosen = choose_provider(provider, threads, available, runs=runs)
             sessions.append(_session(bundle_folder / name, lengths, chosen, -(-threads // runs)))
-        return cls(manifest, category, profile, chosen, threads, rotated, *sessions)
+        shared = side_by_side or WhileCoresAreFree(threads)
+        return cls(manifest, category, profile, chosen, threads, rotated, shared, *sessions)
 
     @property
     def input_sampling(self) -> InputSampling:

@@ -21,7 +21,7 @@ from tests.made_up import TINY, networks_of, write_bundle
 
 ALLOWED = {
     "Add", "Cast", "Concat", "Div", "Expand", "Gather", "Gemm", "MatMul", "Mul", "ReduceMax", "ReduceMean", "ReduceSum",
-    "Relu", "Reshape", "Shape", "Sigmoid", "Slice", "Softmax", "Sqrt", "Sub", "Transpose", "Unsqueeze",
+    "Relu", "Reshape", "Shape", "Sigmoid", "Slice", "Softmax", "Sqrt", "Split", "Sub", "Transpose", "Unsqueeze",
 }  # fmt: skip
 
 

@@ -19,6 +19,7 @@ from captra import sampling
 from captra.categories import CATEGORIES, Category
 from captra.rotation_fusion import ROTATION_NET_ALONE
 from captra.sampling import InputSampling, Neighborhoods, Profile
+from captra.side_by_side import IN_TURN
 from service.envelopes import pack_attachment
 from service.http_server import HttpServer, bind
 from service.networks import Engine, Model
@@ -48,6 +49,7 @@ class CentreNetworks:
         self.profile = profile
         self.input_sampling = InputSampling()
         self.rotation_fusion = ROTATION_NET_ALONE
+        self.side_by_side = IN_TURN
         self.doubtful = False
         self.broken = False
         self.asked = threading.Event()
