@@ -9,6 +9,7 @@ from captra.categories import Category
 from captra.geometry import Pose, axis_angle
 from captra.rotation_fusion import ROTATION_NET_ALONE, RotationFusion
 from captra.sampling import InputSampling, Neighborhoods, Profile
+from captra.side_by_side import IN_TURN, SideBySide
 
 POINTS = 64
 PROFILE = Profile("realtime", POINTS, (16, 4), ((2, 2, 2), (2, 2)))
@@ -69,6 +70,7 @@ class SeeingNetworks:
     profile: Profile = PROFILE
     input_sampling: InputSampling = field(default_factory=InputSampling)
     rotation_fusion: RotationFusion = ROTATION_NET_ALONE
+    side_by_side: SideBySide = IN_TURN
 
     def coordinates(self, points_canonical: np.ndarray, neighborhoods: Neighborhoods) -> tuple[np.ndarray, np.ndarray]:
         """The object's own coordinates; every point is of the object."""
