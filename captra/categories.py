@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Literal
 
+from captra.errors import UserError
+
 JointKind = Literal["revolute", "prismatic"]
 
 MINUS_X_AXIS = (-1.0, 0.0, 0.0)
@@ -13,7 +15,7 @@ Y_AXIS = (0.0, 1.0, 0.0)
 Z_AXIS = (0.0, 0.0, 1.0)
 
 
-class UnknownCategoryError(ValueError):
+class UnknownCategoryError(UserError, ValueError):
     """The name belongs to none of the categories."""
 
 

@@ -8,6 +8,8 @@ from typing import Any
 
 import typer
 
+from captra.errors import UserError
+
 GROUP = "captra.commands"
 DISTRIBUTION = "captra"
 REQUIREMENT_OF_EXTRA = re.compile(r"""(?P<name>[\w.-]+).*\bextra == ["'](?P<extra>[\w-]+)["']""")
@@ -33,6 +35,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
             raise
         typer.echo(f"captra {asked.name}: {explanation}", err=True)
         sys.exit(2)
+    except UserError as error:
+        typer.echo(f"captra {asked.name}: {error}", err=True)
+        sys.exit(1)
 
 
 def available(entry: EntryPoint) -> Callable[..., Any]:

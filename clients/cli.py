@@ -15,7 +15,10 @@ Pace = Annotated[
         help="Send each cloud when the one before is answered, or at the camera's frame rate.",
     ),
 ]
-ProfileName = Annotated[str | None, typer.Option(help="Sampling budget: realtime or paper. [default: the service's]")]
+ProfileName = Annotated[
+    Literal["realtime", "paper"] | None,
+    typer.Option(help="Sampling budget: realtime or paper. [default: the service's]"),
+]
 EncodingName = Annotated[Literal["i16", "f32"], typer.Option(help="How clouds are sent.")]
 Record = Annotated[Path | None, typer.Option(help="Write the session into this *.mcap file, for Foxglove and Rerun.")]
 

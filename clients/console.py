@@ -10,9 +10,8 @@ from rich.console import Console
 from rich.live import Live
 from rich.table import Table
 
-from captra.data.recordings import RecordingError
+from captra.errors import UserError
 from captra.health import State
-from clients.errors import ClientError
 from clients.results import Result
 
 COLOURS = {State.TRACKING: "green", State.UNCERTAIN: "yellow", State.LOST: "red", State.RECOVERING: "yellow"}
@@ -107,6 +106,6 @@ def errors_for_people() -> Iterator[None]:
     """End the command with the message of an expected error, without a traceback."""
     try:
         yield
-    except (ClientError, RecordingError) as error:
+    except UserError as error:
         typer.echo(f"captra: {error}", err=True)
         raise typer.Exit(1) from error

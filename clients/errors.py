@@ -1,7 +1,9 @@
 """What can go wrong between a client and the service."""
 
+from captra.errors import UserError
 
-class ClientError(Exception):
+
+class ClientError(UserError):
     """Anything that this client raises about the service."""
 
 
@@ -34,7 +36,7 @@ class FrameRejectedError(ClientError):
 
 
 class SessionClosedError(ClientError):
-    """The service closed the session, by a time-out or on request."""
+    """The session is closed: by the service, after a time-out or on request, or by this client."""
 
 
 class NoResultError(ClientError):

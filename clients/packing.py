@@ -59,7 +59,11 @@ class Packer:
         Raises:
             ValueError: it cannot be sent in this session; the message says what to change.
         """
-        sent = Cloud(observation, self.encoding) if isinstance(observation, np.ndarray) else observation
+        sent = (
+            observation
+            if isinstance(observation, DepthImage | DepthPng | PointCloud2)
+            else Cloud(np.asarray(observation), self.encoding)
+        )
         return Packed(
             sent.media_type,
             sent.payload(self.camera),

@@ -10,6 +10,7 @@ from typing import Any
 import orjson
 from mcap.writer import Writer
 
+from captra.data.recordings import RecordingError
 from clients.foxglove import SCHEMAS, boxes, point_cloud, transforms
 from clients.packing import Packed
 from clients.results import Result
@@ -37,7 +38,14 @@ class McapRecorder:
     """One file of one session; its methods may be called from any thread. Close it, or the file has no index."""
 
     def __init__(self, path: Path) -> None:
-        self._file = path.open("wb")
+        """Raises RecordingError where the file cannot be written."""
+        try:
+            self._file = path.open("wb")
+        except OSError as error:
+            raise RecordingError(
+                f"cannot record into {path} ({error.strerror}): name a file in a folder that is there and can be "
+                "written"
+            ) from error
         self._writer = Writer(self._file)
         self._writer.start(profile="", library="captra")
         self._channels: dict[str, int] = {}

@@ -7,6 +7,7 @@ from typing import Any
 from urllib.parse import urlsplit
 
 import httpx
+import numpy as np
 
 from captra.geometry import Pose
 from clients.credentials import Credentials
@@ -46,8 +47,14 @@ class RestApi:
     """One HTTP connection to one service."""
 
     def __init__(self, url: str | None = None, timeout_s: float = 10.0) -> None:
-        """Without `url`: what `CAPTRA_URL` says, else the address where a service listens by default."""
+        """Without `url`: what `CAPTRA_URL` says, else the address where a service listens by default.
+
+        Raises:
+            ServiceUnreachableError: this is no address.
+        """
         self.url = url or os.environ.get(URL_VARIABLE) or DEFAULT_URL
+        if not self.url.startswith(("http://", "https://")):
+            raise ServiceUnreachableError(f"{self.url} is no address of a service: write it like http://robot:8080")
         self.timeout_s = timeout_s
         credentials = Credentials.from_environment()
         self._http = httpx.Client(
@@ -148,7 +155,21 @@ def session_body(category: str, pose: Pose, options: Mapping[str, Any]) -> dict[
 
 
 def parts_of(pose: Pose) -> list[dict[str, Any]]:
-    """A pose as the bodies of the REST API have it: one entry a part, rotation as a matrix, metres."""
+    """A pose as the bodies of the REST API have it: one entry a part, rotation as a matrix, metres.
+
+    Raises:
+        ValueError: its arrays are not one entry a part, or hold NaN or infinity.
+    """
+    shapes = {name: np.shape(getattr(pose, name)) for name in ("rotation", "translation", "size")}
+    parts = shapes["rotation"][:1]
+    if not parts or list(shapes.values()) != [(*parts, 3, 3), (*parts, 3), (*parts, 3)]:
+        told = ", ".join(f"{name} is {shape}" for name, shape in shapes.items())
+        raise ValueError(
+            f"a pose has one entry a part, rotation (P, 3, 3), translation (P, 3), size (P, 3), but {told}: "
+            "for an object of one part write rotation[None], translation[None], size[None]"
+        )
+    if not all(np.isfinite(getattr(pose, name)).all() for name in shapes):
+        raise ValueError("the pose holds NaN or infinity: was the object not seen? give numbers, metres")
     return [
         {"rotation": {"matrix": rotation.tolist()}, "translation": translation.tolist(), "size": size.tolist()}
         for rotation, translation, size in zip(pose.rotation, pose.translation, pose.size, strict=True)

@@ -15,7 +15,7 @@ from captra.geometry import Pose
 from clients import tracking
 from clients.camera import Camera
 from clients.clouds import get_encoding
-from clients.errors import NoResultError, ServiceUnreachableError
+from clients.errors import NoResultError, ServiceUnreachableError, SessionClosedError
 from clients.inbox import Inbox
 from clients.packing import Frame, Observation, Packer
 from clients.recorder import Recorder, recorder_for
@@ -24,6 +24,8 @@ from clients.rest import OpenedSession, RestApi, parts_of, session_body
 from clients.results import Event, Result, parse_event, parse_result
 from clients.stream import CloudStream
 
+STOPS = "shutdown"
+"""Why a session closes that is there again once the service is."""
 REMEMBERED_FRAMES = 256
 """How many clouds' times of departure are kept to tell round trips."""
 
@@ -95,6 +97,7 @@ class Session:
         self._lock = Lock()
         self._next_seq = 0
         self._latest: Result | None = None
+        self._ended = ""
         self._stream = CloudStream(opened, self._take_result, self._take_event)
         resources.callback(self._delete)
         self._stream.open(api.timeout_s)
@@ -127,9 +130,11 @@ class Session:
 
         Raises:
             ValueError: this cannot be sent in this session; the message says what to change.
+            SessionClosedError: the session is closed.
         """
         packed = self._packer.pack(observation, mask)
         with self._lock:
+            self._check_open()
             seq = self._number()
             self._departures[seq] = time.perf_counter()
             if len(self._departures) > REMEMBERED_FRAMES:
@@ -145,9 +150,11 @@ class Session:
         Raises:
             ValueError: this cannot be sent in this session; the message says what to change.
             RequestRefusedError: the service could not use it; `reason` says why.
+            SessionClosedError: the session is closed.
         """
         packed = self._packer.pack(observation, mask)
         with self._lock:
+            self._check_open()
             seq = self._number()
         stamp_ns = time.time_ns() if stamp_ns is None else stamp_ns
         answer = self._api.post_frame(
@@ -194,8 +201,9 @@ class Session:
             ValueError: one cannot be sent in this session; the message says what to change.
             FrameRejectedError: the service could not use one; `reason` says why.
             NoResultError: no result within `timeout_s`.
-            SessionClosedError: the service closed the session.
+            SessionClosedError: the session is closed.
         """
+        self._check_open()
         self._inbox.clear()
         line = tracking.Line(self.put, self._inbox, on_event, timeout_s)
         if rate_hz is None:
@@ -209,6 +217,7 @@ class Session:
 
     def close(self) -> None:
         """Close the session, here and in the service; once is enough, more does no harm."""
+        self._ended = self._ended or "this client closed it"
         self._resources.close()
 
     def __enter__(self) -> Self:
@@ -223,6 +232,10 @@ class Session:
         seq = self._next_seq
         self._next_seq += 1
         return seq
+
+    def _check_open(self) -> None:
+        if self._ended:
+            raise SessionClosedError(f"session {self.session_id} is closed ({self._ended}): open a new one")
 
     def _delete(self) -> None:
         with suppress(ServiceUnreachableError):  # a service that is gone holds no session
@@ -240,4 +253,7 @@ class Session:
 
     def _take_event(self, payload: bytes) -> None:
         self._recorder.event(payload)
-        self._inbox.put(parse_event(payload))
+        event = parse_event(payload)
+        if event.kind == "closing" and event.reason != STOPS:
+            self._ended = event.detail
+        self._inbox.put(event)

@@ -1,5 +1,6 @@
 """The `serve` command."""
 
+import os
 from pathlib import Path
 from typing import Annotated
 
@@ -32,7 +33,8 @@ def serve(
     from service.http_server import PortInUseError
     from service.run import run
     from service.security.wiring import ExposedError
-    from service.settings import load_settings
+    from service.setting_mistakes import complaint_of_syntax, complaints, mistyped
+    from service.settings import MalformedConfigError, load_settings
     from service.store import StoreError
     from service.transport import TransportError
 
@@ -43,14 +45,18 @@ def serve(
         "ros2": ros2,
         "models_dir": models_dir,
     }
+    for doubt in mistyped(os.environ):
+        typer.echo(f"captra serve: {doubt}", err=True)
     try:
         run(load_settings(config, {name: value for name, value in options.items() if value is not None}))
     except ValidationError as error:
-        for entry in error.errors():
-            name = ".".join(str(step) for step in entry["loc"])
-            typer.echo(f"captra serve: setting {name}: {entry['msg']}", err=True)
+        for complaint in complaints(error):
+            typer.echo(f"captra serve: {complaint}", err=True)
         raise typer.Exit(2) from None
-    except (ExposedError, FileNotFoundError, SettingsError) as error:
+    except SettingsError as error:
+        typer.echo(f"captra serve: {complaint_of_syntax(error)}", err=True)
+        raise typer.Exit(2) from None
+    except (ExposedError, FileNotFoundError, MalformedConfigError) as error:
         typer.echo(f"captra serve: {error}", err=True)
         raise typer.Exit(2) from None
     except (PortInUseError, StoreError, TransportError) as error:

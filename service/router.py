@@ -2,6 +2,7 @@
 
 import json
 import logging
+import re
 import threading
 import time
 from collections.abc import Callable, Mapping
@@ -38,6 +39,10 @@ def router_config(
     for key, value in (entries | dict(further)).items():
         config.insert_json5(key, json.dumps(value))
     return config
+
+
+PLACE = re.compile(r" at /\S+?\.rs:\d+\.*")
+"""Names files of the machine that Zenoh was built on."""
 
 
 class ZenohTransport:
@@ -87,7 +92,7 @@ class ZenohTransport:
             self._session = self._resources.enter_context(zenoh.open(config))
         except zenoh.ZError as error:
             raise TransportError(
-                f"cannot listen for Zenoh on {', '.join(self._listen)}: {error}. "
+                f"cannot listen for Zenoh on {', '.join(self._listen)}: {without_places(str(error))}. "
                 "Stop what uses the endpoint, or choose another with CAPTRA_ZENOH_LISTEN"
             ) from error
         liveliness = self._session.liveliness()
@@ -146,3 +151,8 @@ class ZenohTransport:
         else:
             logger.info("client token gone", extra={"session_id": session.session_id})
             session.liveness.client_gone()
+
+
+def without_places(message: str) -> str:
+    """An error of Zenoh without the lines of its source where it arose."""
+    return PLACE.sub("", message).rstrip(".")

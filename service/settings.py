@@ -1,6 +1,7 @@
 """Settings of the service: `CAPTRA_*` variables over a TOML file over defaults that work."""
 
 import os
+import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self
@@ -45,6 +46,10 @@ def ros_domain() -> Any:
 
 class MissingConfigError(FileNotFoundError):
     """The file of settings does not exist."""
+
+
+class MalformedConfigError(ValueError):
+    """The file of settings cannot be read."""
 
 
 class Settings(BaseSettings):
@@ -165,6 +170,7 @@ class Settings(BaseSettings):
 
         Raises:
             MissingConfigError: when the file does not exist.
+            MalformedConfigError: when it is no TOML.
         """
         sources: tuple[PydanticBaseSettingsSource, ...] = (init_settings, env_settings)
         config = settings_cls.model_config.get("toml_file") or os.environ.get(CONFIG_VARIABLE)
@@ -172,7 +178,10 @@ class Settings(BaseSettings):
             return sources
         if not Path(str(config)).is_file():
             raise MissingConfigError(f"there is no settings file {config}: correct --config or {CONFIG_VARIABLE}")
-        return (*sources, TomlConfigSettingsSource(settings_cls, Path(str(config))))
+        try:
+            return (*sources, TomlConfigSettingsSource(settings_cls, Path(str(config))))
+        except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+            raise MalformedConfigError(f"{config} is no TOML ({error}): write lines like http_port = 8080") from error
 
 
 def load_settings(config: Path | None, chosen: Mapping[str, Any]) -> Settings:
@@ -180,6 +189,7 @@ def load_settings(config: Path | None, chosen: Mapping[str, Any]) -> Settings:
 
     Raises:
         MissingConfigError: the file does not exist.
+        MalformedConfigError: it is no TOML.
         pydantic.ValidationError: a value is not valid.
         pydantic_settings.SettingsError: a value is no JSON where JSON is needed.
     """

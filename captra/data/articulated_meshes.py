@@ -10,12 +10,13 @@ from captra.categories import get_category
 from captra.data.shapes.draws import between, chance
 from captra.data.shapes.mesh import Mesh, merged
 from captra.data.shapes.shape import Shape, articulated_shape
+from captra.errors import UserError
 
 LARGEST_SCALE = 1.9
 """Diagonal of the largest object after deformation, metres: it fits into a view."""
 
 
-class LibraryError(ValueError):
+class LibraryError(UserError, ValueError):
     """An object of the library does not have the parts or joints of its category."""
 
 

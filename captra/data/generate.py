@@ -1,43 +1,49 @@
-"""Command line: simulate training views in the background.
+"""`captra generate`: training views in simulated scenes, shard by shard."""
 
-Example: python -m captra.data.generate --category mug --count 8000 --seed 1 --out views/mug/train
-"""
-
-import argparse
-import sys
-import time
 from pathlib import Path
+from typing import Annotated
 
-from captra.data.generation import generate_views, write_sources
-from captra.data.meshes import load_meshes, shape_source
+import typer
 
 
-def main(arguments: list[str] | None = None) -> None:
-    """Write shards until `--count` views are there; run it again to go on after an interruption."""
-    parser = argparse.ArgumentParser(description=main.__doc__, epilog=__doc__)
-    parser.add_argument("--category", required=True, help="e.g. mug")
-    parser.add_argument("--count", type=int, required=True, help="views in all")
-    parser.add_argument("--seed", type=int, required=True, help="views depend on the seed and their number only")
-    parser.add_argument("--out", type=Path, required=True, help="folder of the shards")
-    parser.add_argument(
-        "--meshes", type=Path, help="library of objects with an INDEX.json, to mix in those for training"
-    )
-    parser.add_argument("--mesh-fraction", type=float, default=0.35, help="largest share of views of library objects")
-    options = parser.parse_args(arguments)
-    meshes = load_meshes(options.meshes, options.category, "train") if options.meshes else ()
-    draw_shape = shape_source(options.category, meshes, options.mesh_fraction)
-    write_sources(options.out, {mesh.name: mesh.licence for mesh in meshes})
+def generate(
+    category: Annotated[str, typer.Option(help="What to show, e.g. mug.")],
+    count: Annotated[int, typer.Option(help="Views in all.", min=1)],
+    seed: Annotated[int, typer.Option(help="Views depend on it and on their number only.")],
+    out: Annotated[Path, typer.Option(help="Folder of the shards; training reads .campaign/views/CATEGORY/train.")],
+    meshes: Annotated[
+        Path | None, typer.Option(help="Library of objects with an INDEX.json: those for training are mixed in.")
+    ] = None,
+    mesh_fraction: Annotated[
+        float, typer.Option(help="Largest share of views of library objects.", min=0, max=1)
+    ] = 0.35,
+) -> None:
+    """Simulate views of procedural objects to train on; interrupt it whenever you like, the same command goes on.
+
+    Shards appear one by one, so that training may begin before all are there.
+
+    Example: captra generate --category mug --count 12000 --seed 2 --out .campaign/views/mug/train
+    """
+    import time
+
+    from captra.categories import get_category
+    from captra.data.generation import generate_views, write_sources
+    from captra.data.meshes import load_meshes, shape_source
+
+    name = get_category(category).name
+    library = load_meshes(meshes, name, "train") if meshes else ()
+    draw_shape = shape_source(name, library, mesh_fraction)
+    write_sources(out, {mesh.name: mesh.licence for mesh in library})
     started = time.monotonic()
 
     def report(done: int) -> None:
-        sys.stdout.write(f"{options.category}: {done}/{options.count} views, {time.monotonic() - started:.0f} s\n")
-        sys.stdout.flush()
+        typer.echo(f"{name}: {done}/{count} views, {time.monotonic() - started:.0f} s")
 
     try:
-        generate_views(options.category, options.count, options.seed, options.out, draw_shape, progress=report)
+        generate_views(name, count, seed, out, draw_shape, progress=report)
     except KeyboardInterrupt:
-        sys.stdout.write("stopped; run the same command to go on\n")
+        typer.echo("stopped; run the same command to go on")
 
 
 if __name__ == "__main__":
-    main()
+    typer.run(generate)

@@ -9,7 +9,7 @@ from typing import Literal
 import numpy as np
 
 from captra.categories import get_category
-from captra.data.articulated_meshes import deformed_articulated, load_articulated
+from captra.data.articulated_meshes import LibraryError, deformed_articulated, load_articulated
 from captra.data.shapes.curves import through
 from captra.data.shapes.draws import between, chance
 from captra.data.shapes.mesh import Mesh
@@ -46,9 +46,14 @@ def load_meshes(folder: Path, category: str, use: Use) -> tuple[MeshObject, ...]
     """Read the objects of a category with this use; an empty tuple if there is none.
 
     Raises:
-        FileNotFoundError: if the folder has no INDEX.json.
+        LibraryError: if the folder has no INDEX.json, or one that cannot be read.
     """
-    index = json.loads((folder / "INDEX.json").read_text())
+    try:
+        index = json.loads((folder / "INDEX.json").read_text())
+    except (OSError, json.JSONDecodeError) as error:
+        raise LibraryError(
+            f"{folder} is no library of meshes ({error}): it needs an INDEX.json, see docs/your-own-category.md"
+        ) from error
     names = [name for name in sorted(index) if name.startswith(f"{_section(category)}/") and index[name]["use"] == use]
     return tuple(
         MeshObject(name, index[name]["licence"], index[name]["notes"], load_mesh(folder, category, name))

@@ -11,13 +11,14 @@ import numpy as np
 from jaxtyping import Float32, Int64, UInt8
 
 from captra.categories import Category, get_category
+from captra.errors import UserError
 from captra.geometry import Pose
 
 UNIT_M = 1e-4
 """Points are stored as int16 multiples of it."""
 
 
-class RecordingError(ValueError):
+class RecordingError(UserError, ValueError):
     """A file is not a recording."""
 
 

@@ -2,9 +2,11 @@
 
 import json
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
+
+from captra.errors import UserError
 
 if TYPE_CHECKING:
     from captra.evaluation.runner import ExportedNetworks
@@ -15,9 +17,14 @@ Categories = Annotated[
     list[str] | None, typer.Option("--category", help="Category; all that have a bundle by default.")
 ]
 Recordings = Annotated[Path, typer.Option(help="Folder of recordings.")]
-ProfileName = Annotated[str, typer.Option(help="realtime or paper.")]
+ProfileName = Annotated[Literal["realtime", "paper"], typer.Option(help="Sampling budget.")]
 Provider = Annotated[str, typer.Option(help="cpu, openvino, cuda or auto.")]
 Cache = Annotated[Path, typer.Option(help="Folder that keeps simulated sequences.")]
+
+
+class NothingToEvaluateError(UserError):
+    """There is no sequence to track."""
+
 
 DEFAULT_MODELS = Path("models")
 DEFAULT_RECORDINGS = Path("recordings")
@@ -70,7 +77,7 @@ def evaluate(
     options |= {"meshes": meshes} if meshes else {}
     report = Report()
     with workers(jobs) as pool:
-        for name in category or available(models):
+        for name in with_models(category, models):
             bundle = exported(models, name, profile, provider, max(1, available_cores() // jobs))
             for group, sources in (
                 ("recordings", recordings_in(recordings, name, meshes)),
@@ -80,6 +87,11 @@ def evaluate(
                 report.measure(bundle, name, group, list(sources), others, pool, console, with_response=response)
             if write_scores and report.means(name):
                 write(models / name, command_for(name, options), report.means(name))
+    if report.is_empty:
+        raise NothingToEvaluateError(
+            f"no sequence to track in {recordings}: name a folder of recordings by --recordings, or have some "
+            "simulated by --procedural 20"
+        )
     for table in report.tables(f"{profile}, {provider}"):
         console.print(table)
     if json_out is not None:
@@ -108,17 +120,32 @@ def response(
     from captra.evaluation.table import WIDTH, response_table
 
     console = Console(width=WIDTH)
-    for name in category or available(models):
+    for name in with_models(category, models):
         networks = load(models, name, profile, provider)
         for source in recordings_in(recordings, name):
             console.print(response_table(source.name, test(networks, source.load().recording)))
 
 
-def available(models: Path) -> list[str]:
-    """Categories that have a bundle."""
-    from captra.runtime.bundle import find_bundles
+def with_models(categories: list[str] | None, models: Path) -> list[str]:
+    """The categories that were asked for, or all that have a bundle.
 
-    return sorted(find_bundles(models))
+    Raises:
+        UnknownCategoryError: one of them is none.
+        BundleError: one of them, or all, have no bundle.
+    """
+    from captra.categories import get_category
+    from captra.runtime.bundle import BundleError, find_bundles
+
+    there = sorted(find_bundles(models))
+    for name in categories or ():
+        if get_category(name).name not in there:
+            raise BundleError(
+                f"there is no model of {name} in {models}: take one of {', '.join(there) or 'none'}, write one with "
+                "`captra export`, or name another folder by --models"
+            )
+    if not there:
+        raise BundleError(f"there are no models in {models}: name the folder that holds them by --models")
+    return categories or there
 
 
 def load(models: Path, category: str, profile: str, provider: str) -> "OnnxNetworks":

@@ -38,7 +38,7 @@ def calibrate(
 
     from captra.evaluation.calibration import auroc, confidences
     from captra.evaluation.calibration_runner import calibrated
-    from captra.evaluation.cli import available, exported
+    from captra.evaluation.cli import exported, with_models
     from captra.evaluation.sequences import VALIDATION_SEED
     from captra.evaluation.workers import workers
     from captra.runtime.bundle import load_manifest, write_manifest
@@ -46,7 +46,7 @@ def calibrate(
 
     console, threads = Console(), max(1, available_cores() // jobs)
     with workers(jobs) as pool:
-        for name in category or available(models):
+        for name in with_models(category, models):
             with console.status(f"{name}: tracking what goes wrong in {sequences} sequences, twice"):
                 sources = sources_of(name, sequences, cache, VALIDATION_SEED)
                 networks = exported(models, name, profile, provider, threads)
@@ -82,7 +82,7 @@ def health(
     from rich.console import Console
 
     from captra.evaluation import health_report
-    from captra.evaluation.cli import available, exported
+    from captra.evaluation.cli import exported, with_models
     from captra.evaluation.health_figures import HealthFigures, figures
     from captra.evaluation.incident_runner import Rehearsal, watch_all
     from captra.evaluation.incidents import INCIDENTS
@@ -98,7 +98,7 @@ def health(
     console, chosen = Console(width=WIDTH), tuple(kinds or INCIDENTS)
     if unknown := [kind for kind in chosen if kind not in INCIDENTS]:
         raise typer.BadParameter(f"{unknown[0]!r} is none of {', '.join(INCIDENTS)}")
-    names, threads = category or available(models), max(1, available_cores() // jobs)
+    names, threads = with_models(category, models), max(1, available_cores() // jobs)
     found, everything = list[HealthFigures](), list[Watched]()
     measured = list[Rate]()
     with workers(jobs) as pool:

@@ -40,6 +40,11 @@ class Report:
     """All sequences as served."""
     _means: dict[str, dict[str, Summary]] = field(default_factory=dict)
 
+    @property
+    def is_empty(self) -> bool:
+        """Whether no sequence was there to track."""
+        return not self.outcomes
+
     def measure(
         self,
         networks: NetworksSource,

@@ -133,7 +133,7 @@ def library(folder: Path, category: str, cache: SequenceCache, frames: int = 100
     """Every object of a library that is for validation, once held and once on a table.
 
     Raises:
-        FileNotFoundError: the folder has no INDEX.json.
+        LibraryError: the folder has no INDEX.json.
     """
     from captra.data.meshes import load_meshes
 

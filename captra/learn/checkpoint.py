@@ -10,6 +10,7 @@ import torch
 from torch import Tensor, nn
 
 from captra.categories import Category
+from captra.errors import UserError
 from captra.learn.coordinate_net import CoordinateNet
 from captra.learn.pointnet2 import GLOBAL_CHANNELS, LEVEL1_CHANNELS, LEVEL2_CHANNELS, XYZ
 from captra.learn.rotation_net import HEAD_CHANNELS, RotationNet
@@ -23,7 +24,7 @@ ADVICE = "check that the two networks' files are not swapped and that the catego
 StateDict = Mapping[str, Tensor]
 
 
-class CheckpointError(ValueError):
+class CheckpointError(UserError, ValueError):
     """A checkpoint that does not fit the network; the message says what to do."""
 
 
@@ -92,7 +93,7 @@ def _read(path: Path) -> dict[str, Any]:
         raise CheckpointError(f"{path} does not exist: give the path of a .pt file") from None
     except (UnpicklingError, RuntimeError, EOFError, ValueError) as error:
         advice = "download or copy it again; if it holds other objects than tensors, save its state dict alone"
-        raise CheckpointError(f"{path} is no readable checkpoint ({error}): {advice}") from error
+        raise CheckpointError(f"{path} is no readable checkpoint: {advice}") from error
     model = content.get("model") if isinstance(content, dict) else None
     if not isinstance(model, Mapping) or not all(isinstance(value, Tensor) for value in model.values()):
         raise CheckpointError(f'{path} holds no state dict "model": save it as {{"model": network.state_dict()}}')

@@ -6,9 +6,15 @@ from typing import Annotated
 
 import typer
 
+from captra.errors import UserError
+
 DEFAULT_FOLDER = Path(".campaign")
 FURTHER_LEARNING_RATE = 4e-4
 """Weights that were trained to the end are not shaken up again."""
+
+
+class NoViewsError(UserError):
+    """There is nothing to train on."""
 
 
 def train(
@@ -37,7 +43,7 @@ def train(
 ) -> None:
     """Train both networks of a category, or of all; interrupt it whenever you like, the same command goes on.
 
-    Views come from `python -m captra.data.generate`, which may still be writing.
+    Views come from `captra generate`, which may still be writing.
 
     Example: captra train --category mug --samples 60000
     """
@@ -57,6 +63,8 @@ def train(
 
     if (category is None) != everything:
         raise typer.BadParameter("say either --category NAME or --all")
+    if category is not None:
+        check_views(get_category(category).name, folder)
 
     def interrupt(*_: object) -> None:
         raise KeyboardInterrupt
@@ -68,15 +76,8 @@ def train(
     if category is None:
         run_campaign(folder, samples, threads, seed, meshes, console.print)
         return
-    chosen = get_category(category)
-    where = folder / "views" / category / "train"
+    chosen, where = get_category(category), views_of(category, folder)
     views = ViewDataset(where)
-    if len(views) == 0:
-        console.print(
-            f"no views in {where}: make some first, with "
-            f"python -m captra.data.generate --category {category} --count 8000 --seed 1 --out {where}"
-        )
-        raise typer.Exit(2)
     state = folder / "runs" / category / run
     further = start_from is not None and start_from.name == category
     rate = learning_rate or (FURTHER_LEARNING_RATE if further else Plan.learning_rate)
@@ -102,6 +103,27 @@ def train(
             console.print("stopped; run the same command to go on")
     plot_curves(state / "log.jsonl", state / "curves.png")
     console.print(f"checkpoints and curves are in {state}; next: captra export --category {category} …")
+
+
+def views_of(category: str, folder: Path) -> Path:
+    """Where training looks for the views of a category."""
+    return folder / "views" / category / "train"
+
+
+def check_views(category: str, folder: Path) -> None:
+    """Say how to make views where there are none.
+
+    Raises:
+        NoViewsError: there are none.
+    """
+    from captra.data.dataset import ViewDataset
+
+    where = views_of(category, folder)
+    if len(ViewDataset(where)) == 0:
+        raise NoViewsError(
+            f"there are no views in {where}: make some first, with "
+            f"captra generate --category {category} --count 12000 --seed 1 --out {where}"
+        )
 
 
 def run_campaign(

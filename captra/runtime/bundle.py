@@ -7,6 +7,7 @@ from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
 from typing import Any
 
+from captra.errors import UserError
 from captra.rotation_fusion import ROTATION_FUSIONS
 from captra.sampling import PROFILES, InputSampling, Profile
 
@@ -17,7 +18,7 @@ FORMAT = 1
 """Raised when older readers could misunderstand a manifest."""
 
 
-class BundleError(ValueError):
+class BundleError(UserError, ValueError):
     """A bundle that is damaged, incomplete or of another version; the message says what to do."""
 
 

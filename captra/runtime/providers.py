@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from captra.errors import UserError
+
 CPU = "CPUExecutionProvider"
 OPENVINO = "OpenVINOExecutionProvider"
 CUDA = "CUDAExecutionProvider"
@@ -18,7 +20,7 @@ BFLOAT16_FLAGS = frozenset({"avx512_bf16", "amx_bf16", "bf16"})
 """As the kernel spells them, on x86 and ARM."""
 
 
-class ProviderError(ValueError):
+class ProviderError(UserError, ValueError):
     """A provider that is unknown or not installed; the message says what to install."""
 
 

@@ -95,7 +95,7 @@ class RawDepthCodec:
 def depth_codecs(camera: Camera, max_points: int) -> tuple[FrameCodec, ...]:
     """What a session with a camera reads; raw pixels only where their number of columns and rows is known."""
     png = PngDepthCodec(camera, max_points)
-    if camera.width is None or camera.height is None or camera.width * camera.height > max_points:
+    if camera.width is None or camera.height is None:
         return (png,)
     units = RawDepthCodec(DEPTH_U16, np.dtype("<u2"), camera.metres_per_unit, camera)
     return png, units, RawDepthCodec(DEPTH_F32, np.dtype("<f4"), 1.0, camera)

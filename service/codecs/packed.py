@@ -81,7 +81,10 @@ def check_coordinates(points: Float32[np.ndarray, "points 3"]) -> None:
     lowest, highest = points.min(), points.max()  # both carry NaN through
     if not (np.isfinite(lowest) and np.isfinite(highest)):
         bad = int(np.count_nonzero(~np.isfinite(points).all(axis=1)))
-        raise NotFiniteError(f"{bad} of {len(points)} points hold NaN or infinity: leave invalid pixels out")
+        raise NotFiniteError(
+            f"{bad} of {len(points)} points hold NaN or infinity: leave invalid pixels out (or is this another type "
+            "than float32?)"
+        )
     if max(-lowest, highest) > LARGEST_COORDINATE_M:
         raise CoordinatesOutOfRangeError(
             f"coordinates reach from {lowest:g} to {highest:g} m: clouds are in metres, in the camera frame"

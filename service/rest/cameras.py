@@ -6,12 +6,12 @@ from service.rejections import InvalidRequestError, UnsupportedOptionError
 from service.rest.inputs import Camera
 
 
-def camera_of(body: Camera) -> camera.Camera:
-    """The camera.
+def camera_of(body: Camera, max_points: int) -> camera.Camera:
+    """The camera; a frame may have `max_points` pixels.
 
     Raises:
         UnsupportedOptionError: it has distortion.
-        InvalidRequestError: it has a width without a height, or the other way round.
+        InvalidRequestError: it has a width without a height, or the other way round, or too many pixels.
     """
     if any(body.distortion):
         raise UnsupportedOptionError(
@@ -20,4 +20,9 @@ def camera_of(body: Camera) -> camera.Camera:
         )
     if (body.width is None) != (body.height is None):
         raise InvalidRequestError("/body/camera: give width and height together, or neither")
+    if (body.width or 0) * (body.height or 0) > max_points:
+        raise InvalidRequestError(
+            f"/body/camera: images of {body.width} × {body.height} pixels are over the limit of {max_points}: "
+            "send every other row and column with fx, fy, cx, cy halved, or raise CAPTRA_MAX_POINTS"
+        )
     return camera.Camera(Intrinsics(body.fx, body.fy, body.cx, body.cy), body.metres_per_unit, body.width, body.height)

@@ -59,7 +59,8 @@ def rotation_of(rotation: Rotation, part: str) -> Float64[np.ndarray, "3 3"]:
     matrix = np.array(rotation.matrix, np.float64)
     if np.abs(matrix).max() > 2 or not is_rotation(matrix, TOLERANCE):
         raise NotARotationError(
-            f"the matrix of {part} is no rotation: its rows must be orthonormal and right-handed, without scale"
+            f"the matrix of {part} is no rotation: its rows must be orthonormal and right-handed, without scale. "
+            "Mirrored axes (determinant −1), a matrix with scale, or one of another shape?"
         )
     return project_to_rotation(matrix)
 
@@ -76,8 +77,11 @@ def check_boxes(translations: Float64[np.ndarray, "parts 3"], sizes: Float64[np.
     if sizes.min() < SMALLEST_EDGE_M or sizes.max() > LARGEST_EDGE_M:
         raise ImplausiblePoseError(
             f"edges measure {sizes.min():g} to {sizes.max():g} m, outside {SMALLEST_EDGE_M:g} to {LARGEST_EDGE_M:g} m: "
-            "sizes are in metres"
+            "sizes are in metres; divide millimetres by 1000"
         )
     farthest = np.abs(translations).max()
     if farthest > FARTHEST_M:
-        raise ImplausiblePoseError(f"the box is {farthest:g} m away: translations are in metres, in the camera frame")
+        raise ImplausiblePoseError(
+            f"the box is {farthest:g} m away: translations are in metres, in the camera frame; "
+            "divide millimetres by 1000"
+        )

@@ -114,10 +114,17 @@ async def _refused(request: Request, error: Exception) -> Response:
     return answer(request, error)
 
 
+def remark(entry: Mapping[str, Any]) -> str:
+    """What is wrong with one field, as pydantic found it."""
+    if entry["type"] == "extra_forbidden":
+        return "there is no such field: leave it out, or correct its name"
+    return str(entry["msg"])
+
+
 async def _invalid(request: Request, error: Exception) -> Response:
     assert isinstance(error, RequestValidationError)
     errors = [
-        {"pointer": "/" + "/".join(str(step) for step in entry["loc"]), "detail": str(entry["msg"])}
+        {"pointer": "/" + "/".join(str(step) for step in entry["loc"]), "detail": remark(entry)}
         for entry in error.errors()
     ]
     first = f"{errors[0]['pointer']}: {errors[0]['detail']}" if errors else "see the OpenAPI document"

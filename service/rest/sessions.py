@@ -141,7 +141,7 @@ def order_of(body: NewSession, settings: Settings) -> Order:
         frame_id=body.frame_id,
         idle_timeout_s=idle_timeout_s,
         pose=pose_of(body.parts, category),
-        camera=None if body.camera is None else camera_of(body.camera),
+        camera=None if body.camera is None else camera_of(body.camera, settings.max_points),
         masks=body.masks,
         ros2=ros2_names(body, settings),
         options=track_options_of(body, category, settings.prediction),

@@ -6,6 +6,8 @@ from typing import Annotated
 
 import typer
 
+from captra.errors import UserError
+
 TEMPLATE = """\
 # Settings of a guarded service: captra serve --config {folder}/captra.toml
 http_host = "0.0.0.0"
@@ -41,24 +43,32 @@ def certify(
 
     Example: `captra certify deployment/keys --host robot-cell.local --host 10.0.0.5 --client arm-1`
     """
+    folder = folder.resolve()
+    try:
+        write_all(folder, host, client)
+    except OSError as error:
+        raise UserError(f"cannot write to {folder} ({error.strerror}): name a folder that can be written") from error
+    typer.echo(f"Start the service with: captra serve --config {folder}/captra.toml")
+    typer.echo(f"On a client, set CAPTRA_CA_FILE={folder}/ca.pem and, from {folder}/clients/NAME/:")
+    typer.echo("  CAPTRA_API_KEY=$(cat api-key) CAPTRA_CLIENT_CERT=client.pem CAPTRA_CLIENT_KEY=client.key")
+
+
+def write_all(folder: Path, hosts: list[str], clients: list[str]) -> None:
+    """The authority, everybody's certificates and keys, and the settings."""
     from service.security.access import sha256_of
     from service.security.authority import Identity, issue, new_authority, write_private
 
-    folder = folder.resolve()
     if (folder / "ca.key").exists():
         authority = Identity.read(folder, "ca")
     else:
         authority = new_authority()
         authority.write(folder, "ca")
-    issue(authority, "captra service", host).write(folder, "service")
+    issue(authority, "captra service", hosts).write(folder, "service")
     settings = TEMPLATE.format(folder=folder)
-    for name in client:
+    for name in clients:
         place, key_file = folder / "clients" / name, folder / "clients" / name / "api-key"
         if not key_file.exists():
             issue(authority, name).write(place, "client")
             write_private(key_file, secrets.token_urlsafe(32).encode())
         settings += CLIENT.format(name=name, sha256=sha256_of(key_file.read_text()))
     (folder / "captra.toml").write_text(settings)
-    typer.echo(f"Start the service with: captra serve --config {folder}/captra.toml")
-    typer.echo(f"On a client, set CAPTRA_CA_FILE={folder}/ca.pem and, from {folder}/clients/NAME/:")
-    typer.echo("  CAPTRA_API_KEY=$(cat api-key) CAPTRA_CLIENT_CERT=client.pem CAPTRA_CLIENT_KEY=client.key")

@@ -158,7 +158,7 @@ def test_taken_ports_are_named_with_the_setting_that_changes_them() -> None:
     ("variables", "name"),
     [
         ({"CAPTRA_HTTP_PORT": "many"}, "http_port"),
-        ({"CAPTRA_ZENOH_LISTEN": "tcp/127.0.0.1:1"}, "zenoh_listen"),
+        ({"CAPTRA_ZENOH_LISTEN": "tcp/127.0.0.1:1"}, "CAPTRA_ZENOH_LISTEN"),
         ({"CAPTRA_CONFIG": "/nowhere/captra.toml"}, "/nowhere/captra.toml"),
     ],
 )

@@ -3,8 +3,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from captra.data import generate
 from captra.data.dataset import ViewDataset, pack, read_shard, write_shard
+from captra.data.generate import generate
 from captra.data.generation import generate_views
 from captra.data.shapes import make_shape
 from captra.data.view import View
@@ -93,7 +93,7 @@ def test_of_two_writers_the_first_wins(tmp_path: Path) -> None:
 
 
 def test_the_command_writes_shards_and_their_sources(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    generate.main(["--category", "bottle", "--count", "2", "--seed", "3", "--out", str(tmp_path)])
+    generate("bottle", count=2, seed=3, out=tmp_path)
     assert len(ViewDataset(tmp_path)) == 2
     assert (tmp_path / "sources.json").read_text() == "{}\n"
     assert "2/2" in capsys.readouterr().out

@@ -1,0 +1,106 @@
+"""Typical mistakes at the command line, made with the real commands: no traceback, and what to do next."""
+
+import os
+import re
+from pathlib import Path
+
+import pytest
+
+from captra.cli import main
+
+ROOT = Path(__file__).parents[1]
+MODELS = ROOT / "models"
+MUG = ROOT / "recordings" / "mug__sweethome3d-KatorLegaz__coffee-mug__hand.npz"
+
+
+@pytest.fixture(autouse=True)
+def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """An empty folder, a wide terminal and no settings."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("COLUMNS", "400")
+    for name in [name for name in os.environ if name.startswith("CAPTRA_")]:
+        monkeypatch.delenv(name)
+
+
+def complaint(capsys: pytest.CaptureFixture[str], *arguments: object) -> str:
+    """What a command says that fails; every exception but SystemExit would be a traceback."""
+    with pytest.raises(SystemExit) as ended:
+        main([str(argument) for argument in arguments])
+    assert ended.value.code in {1, 2}
+    return " ".join(capsys.readouterr().err.split())
+
+
+OF_MUG = ("--category", "mug", "--models", MODELS, "--recordings")
+ONE_VIEW = ("--count", 1, "--seed", 1, "--out", "x")
+COMMANDS: dict[str, tuple[tuple[object, ...], str]] = {
+    "unknown command": (("trakc",), r"captra -h"),
+    "unknown option": (("serve", "--prot", "1"), r"--port"),
+    "unknown category": (("train", "--category", "mugg"), r"choose one of bottle"),
+    "unknown category to show": (
+        ("generate", *ONE_VIEW, "--category", "x"),
+        r"one of bottle",
+    ),
+    "category without model": (
+        ("evaluate", "--category", "drawers", "--models", MODELS),
+        r"one of bottle.*captra export",
+    ),
+    "no models": (("evaluate", "--models", "."), r"no models in \.: name the folder .* by --models"),
+    "no sequences": (("evaluate", *OF_MUG, "."), r"--recordings, or .*--procedural 20"),
+    "unknown profile": (("evaluate", "--profile", "fast"), r"'realtime', 'paper'"),
+    "unknown provider": (("response", *OF_MUG, MUG.parent, "--provider", "tpu"), r"choose one of auto, cpu"),
+    "no views": (("train", "--category", "mug"), r"captra generate --category mug"),
+    "no library": (
+        ("generate", *ONE_VIEW, "--category", "mug", "--meshes", "."),
+        r"INDEX\.json, see docs/your-own-category\.md",
+    ),
+    "no checkpoint": (
+        ("export", "--coordinate", MUG, "--rotation", MUG, "--category", "mug", "--out", "x"),
+        r"no readable checkpoint: download",
+    ),
+    "no service": (("status", "--url", "http://127.0.0.1:9"), r"start one with `captra serve`"),
+    "no address": (("track", MUG, "--url", "robot:8080"), r"write it like http://robot:8080"),
+    "nowhere to record": (("track", MUG, "--record", "/dev/null/x.mcap"), r"name a file in a folder that is there"),
+    "no recording": (("track", ROOT / "README.md"), r"is no recording: .*record or download"),
+    "recording that is not there": (("track", "nowhere.npz"), r"does not exist"),
+    "keys nowhere": (("certify", "/dev/null/x", "--host", "a", "--client", "b"), r"name a folder that can be"),
+    "settings that are not there": (("serve", "--config", "x.toml"), r"correct --config"),
+    "open to everybody": (("serve", "--host", "0.0.0.0"), r"captra certify"),
+}
+
+
+@pytest.mark.parametrize("case", COMMANDS)
+def test_commands_say_what_to_do(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    arguments, hint = COMMANDS[case]
+    said = complaint(capsys, *arguments)
+    assert re.search(hint, said), said
+
+
+@pytest.mark.parametrize(
+    ("line", "hint"),
+    [
+        ("http_prot = 1", r"no setting http_prot: did you mean http_port\?"),
+        ("http_port = = 1", r"is no TOML .*write lines like"),
+        ("http_port = 99999", r"setting http_port: .*65535.*CAPTRA_HTTP_PORT"),
+        ("[[api_keys]]\nname = 'a'", r"setting api_keys\.0\.sha256"),
+    ],
+)
+def test_settings_say_what_to_do(line: str, hint: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    config = tmp_path / "captra.toml"
+    config.write_text(line)
+    said = complaint(capsys, "serve", "--config", config)
+    assert re.search(hint, said), said
+
+
+def test_a_variable_that_is_no_json(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.setenv("CAPTRA_ZENOH_LISTEN", "tcp/127.0.0.1:1")
+    assert "CAPTRA_ZENOH_LISTEN is no JSON: write a list like [" in complaint(capsys, "serve")
+
+
+def test_a_mistyped_variable_is_doubted_and_those_of_clients_are_not(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for name in ("CAPTRA_PROVIDR", "CAPTRA_API_KEY", "CAPTRA_URL", "CAPTRA_CLIENT_KEY", "CAPTRA_CA_FILE"):
+        monkeypatch.setenv(name, "x")
+    said = complaint(capsys, "serve", "--host", "0.0.0.0")
+    assert "CAPTRA_PROVIDR is no setting: did you mean provider?" in said
+    assert said.count("did you mean") == 1
