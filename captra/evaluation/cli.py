@@ -17,7 +17,7 @@ Categories = Annotated[
     list[str] | None, typer.Option("--category", help="Category; all that have a bundle by default.")
 ]
 Recordings = Annotated[Path, typer.Option(help="Folder of recordings.")]
-ProfileName = Annotated[Literal["realtime", "paper"], typer.Option(help="Sampling budget.")]
+ProfileName = Annotated[Literal["realtime", "paper"], typer.Option(metavar="NAME", help="realtime or paper.")]
 Provider = Annotated[str, typer.Option(help="cpu, openvino, cuda or auto.")]
 Cache = Annotated[Path, typer.Option(help="Folder that keeps simulated sequences.")]
 
