@@ -17,7 +17,7 @@ Pace = Annotated[
 ]
 ProfileName = Annotated[
     Literal["realtime", "paper"] | None,
-    typer.Option(help="Sampling budget: realtime or paper. [default: the service's]"),
+    typer.Option(metavar="NAME", help="Sampling budget: realtime or paper. [default: the service's]"),
 ]
 EncodingName = Annotated[Literal["i16", "f32"], typer.Option(help="How clouds are sent.")]
 Record = Annotated[Path | None, typer.Option(help="Write the session into this *.mcap file, for Foxglove and Rerun.")]

@@ -36,7 +36,7 @@ Send = Callable[[Session, Observation, Region | None], Result]
 @pytest.fixture(scope="module")
 def service() -> Iterator[Running]:
     with running("mug", "laptop_articulated") as started:
-        assert started.service.readiness.wait_prepared(30)
+        assert started.service.readiness.wait_prepared(120)
         yield started
 
 

@@ -30,7 +30,7 @@ SIZE = np.full((1, 3), 0.1)
 @pytest.fixture(scope="module")
 def service() -> Iterator[Running]:
     with running("mug", "laptop_articulated") as started:
-        assert started.service.readiness.wait_prepared(30)
+        assert started.service.readiness.wait_prepared(120)
         yield started
 
 
@@ -136,7 +136,7 @@ def test_a_closed_session_says_so_at_once(url: str, service: Running) -> None:
 
 def test_a_router_that_cannot_be_reached() -> None:
     with running("mug", zenoh_advertise=(free_endpoint(),)) as service:
-        assert service.service.readiness.wait_prepared(30)
+        assert service.service.readiness.wait_prepared(120)
         with pytest.raises(ServiceUnreachableError, match=r"no Zenoh router answers .*CAPTRA_ZENOH_LISTEN"):
             open_session("mug", pose(), url=str(service.http.base_url), timeout_s=0.5)
         assert service.http.get("/v1/sessions").json()["sessions"] == []
