@@ -20,7 +20,7 @@ ProfileName = Annotated[
     typer.Option(metavar="NAME", help="Sampling budget: realtime or paper. [default: the service's]"),
 ]
 EncodingName = Annotated[Literal["i16", "f32"], typer.Option(help="How clouds are sent.")]
-Record = Annotated[Path | None, typer.Option(help="Write the session into this *.mcap file, for Foxglove and Rerun.")]
+Record = Annotated[Path | None, typer.Option(help="Write the session into this *.mcap file; of several, one each.")]
 
 
 def track(
@@ -72,9 +72,16 @@ def track(
                 as_fast_as_possible=as_fast_as_possible,
                 profile=profile,
                 encoding=encoding,
-                record=record,
+                record=file_for(record, path, len(recordings)),
             )
         console.print(table_of(playback))
         playbacks.append(playback)
     if len(playbacks) > 1:
         Console(width=WIDTH).print(means_of(playbacks))
+
+
+def file_for(record: Path | None, recording: Path, count: int) -> Path | None:
+    """Where one of `count` recordings is recorded: several go into files that also bear their names."""
+    if record is None or count == 1:
+        return record
+    return record.with_name(f"{record.stem}__{recording.stem}{record.suffix}")

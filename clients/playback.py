@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -10,6 +11,7 @@ import numpy as np
 from captra.data.recordings import Recording
 from captra.geometry import Pose
 from clients.packing import Frame
+from clients.recorder import recorder_for
 from clients.results import Event, Result
 from clients.session import Session, open_session
 
@@ -81,9 +83,14 @@ def play_through(
 ) -> Playback:
     """Play a recording in a session of its own, at the camera's rate or as fast as the service answers."""
     rate_hz = None if as_fast_as_possible else frame_rate_hz(recording)
-    with open_session(
-        recording.category.name, recording.init, url=url, profile=profile, encoding=encoding, record=record
-    ) as session:
+    recorder = recorder_for(record)
+    recorder.truth(recording)
+    with (
+        closing(recorder),
+        open_session(
+            recording.category.name, recording.init, url=url, profile=profile, encoding=encoding, record=recorder
+        ) as session,
+    ):
         return play(session, recording, rate_hz, watch)
 
 

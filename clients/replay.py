@@ -1,20 +1,21 @@
 """Plays the recording of a session through the service once more, and compares the poses to the last digit."""
 
 import base64
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import orjson
-from mcap.exceptions import McapError
-from mcap.reader import make_reader
-
 from captra.data.recordings import RecordingError
-from clients.recorder import FRAME, RESET, RESULT, SESSION
+from captra.recording.reader import messages
+from captra.recording.writer import EVENT, FRAME, RESET, RESULT, SESSION
+from clients.errors import RequestRefusedError
 from clients.rest import RestApi
 from clients.results import Result, parse_result
+
+UNSEEN = "no-points-near-object"
+"""Why a frame was refused that the tracker has tried nonetheless: it takes part in what the track remembers."""
 
 
 @dataclass(frozen=True)
@@ -54,49 +55,60 @@ class Replayed:
         )
 
 
-def messages(path: Path) -> Iterator[tuple[str, Mapping[str, Any]]]:
-    """Schema name and content of our own messages, in the order of writing.
-
-    Raises:
-        RecordingError: the file is no recording of a session.
-    """
-    try:
-        with path.open("rb") as file:
-            for schema, _, message in make_reader(file).iter_messages(log_time_order=False):
-                if schema is not None and schema.name.startswith("captra."):
-                    yield schema.name, orjson.loads(message.data)
-    except (McapError, orjson.JSONDecodeError) as error:
-        raise RecordingError(f"{path} is no whole MCAP recording ({error}): record it again") from error
-
-
 def replay(url: str | None, path: Path, watch: Callable[[Result], None]) -> list[Replayed]:
-    """Send every frame that had a result to a new session that starts as the recorded one did.
+    """Send every frame that the tracker saw to a new session that starts as the recorded one did.
 
     Raises:
         RecordingError: the file holds no session.
         RequestRefusedError: the service cannot open such a session, or refuses a frame that it once took.
     """
-    frames: dict[int, RecordedFrame] = {}
+    answers = answers_in(path)
     pairs: list[Replayed] = []
     session_id: str | None = None
+    frames = 0
     with closing(RestApi(url)) as api:
         try:
             for name, body in messages(path):
-                if name == SESSION:
+                if name == SESSION and session_id is None:
                     session_id = api.post_session(body)["session_id"]
-                elif name == FRAME:
-                    frames[body["seq"]] = frame_of(body)
                 elif name == RESET and session_id is not None:
                     api.put_pose(session_id, body)
-                elif name == RESULT and session_id is not None and body["seq"] in frames:
-                    pairs.append(again(api, session_id, frames.pop(body["seq"]), parse_result(body)))
-                    watch(pairs[-1].replayed)
+                elif name == FRAME:
+                    frames += 1
+                    if session_id is None or frames not in answers:
+                        continue
+                    now, then = again(api, session_id, frame_of(body)), answers[frames]
+                    if now is not None and then is not None:
+                        pairs.append(Replayed(then, now))
+                        watch(now)
         finally:
             if session_id is not None:
                 api.delete(session_id)
     if session_id is None:
-        raise RecordingError(f"{path} holds no session of captra: record one with open_session(..., record=...)")
+        raise RecordingError(
+            f"{path} holds no session of captra: record one with open_session(..., record=...), captra record, or the "
+            "field `record` when you open it"
+        )
     return pairs
+
+
+def answers_in(path: Path) -> dict[int, Result | None]:
+    """What became of the frames of a file, counted from one: a result, or none where nothing was seen near the object.
+
+    Frames that newer ones replaced, or that were refused for another reason, are not in it.
+    """
+    answers: dict[int, Result | None] = {}
+    frame_by_seq: dict[int, int] = {}
+    frames = 0
+    for name, body in messages(path):
+        if name == FRAME:
+            frames += 1
+            frame_by_seq[body["seq"]] = frames
+        elif name == RESULT and body["seq"] in frame_by_seq:
+            answers[frame_by_seq[body["seq"]]] = parse_result(body)
+        elif name == EVENT and body.get("reason") == UNSEEN and body.get("seq") in frame_by_seq:
+            answers[frame_by_seq[body["seq"]]] = None
+    return answers
 
 
 def frame_of(body: Mapping[str, Any]) -> RecordedFrame:
@@ -105,9 +117,14 @@ def frame_of(body: Mapping[str, Any]) -> RecordedFrame:
     return RecordedFrame(body["seq"], body["stamp_ns"], body["encoding"], payload, region)
 
 
-def again(api: RestApi, session_id: str, frame: RecordedFrame, recorded: Result) -> Replayed:
-    """One frame through the service."""
-    answer = api.post_frame(
-        session_id, frame.payload, frame.encoding, seq=frame.seq, stamp_ns=frame.stamp_ns, region=frame.region
-    )
-    return Replayed(recorded, parse_result(answer))
+def again(api: RestApi, session_id: str, frame: RecordedFrame) -> Result | None:
+    """One frame through the service; none where it sees nothing near the object."""
+    try:
+        answer = api.post_frame(
+            session_id, frame.payload, frame.encoding, seq=frame.seq, stamp_ns=frame.stamp_ns, region=frame.region
+        )
+    except RequestRefusedError as refusal:
+        if refusal.reason != UNSEEN:
+            raise
+        return None
+    return parse_result(answer)

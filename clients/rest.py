@@ -10,6 +10,7 @@ import httpx
 import numpy as np
 
 from captra.geometry import Pose
+from captra.recording import writer
 from clients.credentials import Credentials
 from clients.errors import RequestRefusedError, ServiceUnreachableError
 from clients.regions import PACKED_BOX
@@ -170,10 +171,7 @@ def parts_of(pose: Pose) -> list[dict[str, Any]]:
         )
     if not all(np.isfinite(getattr(pose, name)).all() for name in shapes):
         raise ValueError("the pose holds NaN or infinity: was the object not seen? give numbers, metres")
-    return [
-        {"rotation": {"matrix": rotation.tolist()}, "translation": translation.tolist(), "size": size.tolist()}
-        for rotation, translation, size in zip(pose.rotation, pose.translation, pose.size, strict=True)
-    ]
+    return writer.parts_of(pose)
 
 
 def reachable(endpoint: str, url: str) -> str:

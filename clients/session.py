@@ -1,6 +1,7 @@
 """The Python client: open a session, stream clouds, receive poses."""
 
 import atexit
+import json
 import time
 from collections import OrderedDict
 from collections.abc import Callable, Iterable, Iterator
@@ -15,7 +16,7 @@ from captra.geometry import Pose
 from clients import tracking
 from clients.camera import Camera
 from clients.clouds import get_encoding
-from clients.errors import NoResultError, ServiceUnreachableError, SessionClosedError
+from clients.errors import NoResultError, RequestRefusedError, ServiceUnreachableError, SessionClosedError
 from clients.inbox import Inbox
 from clients.packing import Frame, Observation, Packer
 from clients.recorder import Recorder, recorder_for
@@ -41,7 +42,7 @@ def open_session(
     encoding: str = "i16",
     camera: Camera | None = None,
     masks: Literal["object", "parts"] | None = None,
-    record: Path | str | None = None,
+    record: Path | str | Recorder | None = None,
     timeout_s: float = 10.0,
 ) -> "Session":
     """Open a tracking session; use it with `with`, so that it gets closed.
@@ -75,7 +76,7 @@ def open_session(
     }
     with ExitStack() as resources:
         api = resources.enter_context(closing(RestApi(url, timeout_s)))
-        recorder = recorder_for(record)
+        recorder = recorder_for(record) if isinstance(record, Path | str | None) else record
         resources.callback(recorder.close)
         recorder.session(session_body(category, pose, options))
         return Session(api, api.open(category, pose, options), packer, resources, recorder)
@@ -94,6 +95,7 @@ class Session:
         self._recorder = recorder
         self._inbox: Inbox[tracking.Message] = Inbox()
         self._departures: OrderedDict[int, float] = OrderedDict()
+        self._posted: dict[int, bool] = {}  # numbers of frames sent by HTTP, and whether their result is recorded
         self._lock = Lock()
         self._next_seq = 0
         self._latest: Result | None = None
@@ -153,14 +155,22 @@ class Session:
             SessionClosedError: the session is closed.
         """
         packed = self._packer.pack(observation, mask)
+        stamp_ns = time.time_ns() if stamp_ns is None else stamp_ns
         with self._lock:
             self._check_open()
             seq = self._number()
-        stamp_ns = time.time_ns() if stamp_ns is None else stamp_ns
-        answer = self._api.post_frame(
-            self.session_id, packed.payload, packed.media_type, seq=seq, stamp_ns=stamp_ns, region=packed.region
-        )
-        return parse_result(answer)
+            self._posted[seq] = False
+            self._recorder.frame(packed, seq, stamp_ns)
+        try:
+            answer = self._api.post_frame(
+                self.session_id, packed.payload, packed.media_type, seq=seq, stamp_ns=stamp_ns, region=packed.region
+            )
+        except RequestRefusedError:
+            self._posted.pop(seq, None)
+            raise
+        result = parse_result(answer)
+        self._record(json.dumps(answer).encode(), result)
+        return result
 
     def receive(self, timeout_s: float = 5.0) -> Result | Event:
         """The next result or event that was not read yet, in the order of arrival.
@@ -244,12 +254,21 @@ class Session:
     def _take_result(self, payload: bytes) -> None:
         arrived = time.perf_counter()
         result = parse_result(payload)
-        self._recorder.result(payload, result)
+        self._record(payload, result)
         departed = self._departures.pop(result.seq, None)
         if departed is not None:
             result = replace(result, round_trip_ms=1e3 * (arrived - departed))
         self._latest = result
         self._inbox.put(result)
+
+    def _record(self, payload: bytes, result: Result) -> None:
+        """Record a result; that of a frame sent by HTTP comes twice, as the answer and by Zenoh."""
+        with self._lock:
+            recorded = self._posted.pop(result.seq, None)
+            if recorded is False:
+                self._posted[result.seq] = True
+        if not recorded:
+            self._recorder.result(payload, result)
 
     def _take_event(self, payload: bytes) -> None:
         self._recorder.event(payload)

@@ -16,6 +16,8 @@ from service.ledger import Ledger
 from service.liveness import CloseReason, Liveness
 from service.networks import NetworksProvider
 from service.readiness import STOPPING
+from service.recording.folder import Recordings
+from service.recording.tape import Tape
 from service.rejections import NotReadyError, NotStoredError, RejectedError, TooManySessionsError, UnknownSessionError
 from service.ros2.options import Ros2Options
 from service.session import Session
@@ -52,6 +54,8 @@ class NewSession:
     """What masks that travel with frames tell."""
     ros2: Callable[[str], Ros2Options | None] = no_ros2
     """Its names in ROS 2, given its id; none where the service is no node."""
+    record: bool = False
+    """Whether the service records it."""
     secret_sha256: str | None = None
     """Digest of the secret that has to accompany clouds by Zenoh, if one has to."""
     options: TrackOptions = field(default_factory=TrackOptions)
@@ -69,6 +73,7 @@ class Registry:
         telemetry: Telemetry,
         codecs: Callable[[SessionRecord], Codecs],
         options: Callable[[SessionRecord], TrackerOptions],
+        recordings: Recordings,
         *,
         max_sessions: int,
         client_grace_s: float,
@@ -79,6 +84,7 @@ class Registry:
         self._telemetry = telemetry
         self._codecs = codecs
         self._options = options
+        self._recordings = recordings
         self._max_sessions = max_sessions
         self._client_grace_s = client_grace_s
         self._lock = threading.Lock()
@@ -93,7 +99,8 @@ class Registry:
             NotReadyError: the service stops.
             CategoryWithoutModelError: nothing tracks this category here.
             ModelNotLoadableError: its networks cannot be loaded.
-            NotStoredError: it would not survive a restart.
+            NotStoredError: it would not survive a restart, or cannot be recorded.
+            RecordingsFullError: it cannot be recorded since there is no room.
         """
         self._check_room()
         session_id = secrets.token_hex(8)
@@ -108,10 +115,11 @@ class Registry:
             camera=new.camera,
             masks=new.masks,
             ros2=new.ros2(session_id),
+            record=new.record,
             secret_sha256=new.secret_sha256,
             options=new.options,
         )
-        session = self._begin(record)
+        session = self._begin(record, self._recordings.start)
         try:
             self._store.save(record)
         except StoreError as error:
@@ -126,7 +134,7 @@ class Registry:
         for record in self._store.load():
             about = {"session_id": record.session_id, "category": record.category}
             try:
-                self._begin(record)
+                self._begin(record, self._recordings.go_on)
             except RejectedError as rejection:  # it stays stored: the next process may have its model
                 logger.error("session not restored: %s", rejection, extra=about)
             else:
@@ -199,8 +207,9 @@ class Registry:
         for session, stream in entries:
             self._end(session, stream, CloseReason.SHUTDOWN)
 
-    def _begin(self, record: SessionRecord) -> Session:
+    def _begin(self, record: SessionRecord, tape_of: Callable[[SessionRecord], Tape]) -> Session:
         engine = self._provider.get(record.category, record.profile)
+        tape = tape_of(record)
         session = Session(
             record,
             engine,
@@ -209,6 +218,7 @@ class Registry:
             liveness=Liveness(record.idle_timeout_s, self._client_grace_s, client_awaited=record.has_client),
             ledger=Ledger(self._telemetry),
             store=self._store,
+            tape=tape,
         )
         stream = self._transport.attach(session)
         try:
@@ -219,6 +229,7 @@ class Registry:
             stream.stop_receiving()
             stream.finish()
             stream.close()
+            tape.close()
             raise
         return session
 

@@ -163,6 +163,18 @@ class NotStoredError(RequestRejectedError, status=503):
     """The session cannot be kept over a restart, so it is not opened."""
 
 
+class RecordingsFullError(RequestRejectedError, status=507):
+    """There is no room for another recording."""
+
+
+class UnknownRecordingError(RequestRejectedError, status=404):
+    """No recording has this name."""
+
+
+class UnfinishedRecordingError(RequestRejectedError, status=409):
+    """The recording is still being written."""
+
+
 class UnknownSessionError(RequestRejectedError, status=404):
     """No session has this id, or it is closed."""
 

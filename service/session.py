@@ -18,6 +18,7 @@ from service.ledger import Ledger
 from service.liveness import CloseReason, Liveness
 from service.networks import Engine
 from service.observer import Observer, Observers
+from service.recording.tape import NO_TAPE, Tape
 from service.rejections import (
     InternalError,
     NoPointsNearObjectError,
@@ -55,6 +56,7 @@ class Session:
         liveness: Liveness,
         ledger: Ledger,
         store: SessionStore,
+        tape: Tape = NO_TAPE,
     ) -> None:
         self.record = record
         """Settings of the session, and the pose it started from."""
@@ -68,11 +70,13 @@ class Session:
         """Who may put clouds."""
         self._category = engine.networks.category
         self._reporter = Reporter(record, engine.networks.category)
+        self._tape = tape
         self._store = store
         self._trusted = record.trusted
         self._tracker = engine.start(record.trusted.pose, options)
         self._sequence = Sequence(record.trusted.seq)
         self._observers = Observers()
+        self._observers.add(tape)
         self._closed = False
         self._lock = threading.Lock()
         self._last_result = self._reporter.given(record.trusted.pose)
@@ -134,6 +138,7 @@ class Session:
                 waited_s = (started_s - envelope.arrived_s) + (time.perf_counter() - decoded_s)
                 self.ledger.spent(decode=1e3 * (decoded_s - started_s))
                 header = self._numbered(header)
+                self._tape.frame(header, envelope, mask, observation)
                 return self._step(header, observation, segmentation, envelope.arrived_s, waited_s)
         except UnknownSessionError:
             raise
@@ -165,6 +170,7 @@ class Session:
             self._check_open()
             self.liveness.touch()
             self._tracker.reset(pose)
+            self._tape.reset(pose)
             self._sequence.restart()
             self._trust(TrustedPose(pose, None))
             previous, self._last_result = self._last_result.state, self._reporter.given(pose)
@@ -190,6 +196,7 @@ class Session:
         with self._lock:
             self._tell(EventKind.CLOSING, self._last_result.state, reason=reason, detail=CLOSE_DETAILS[reason])
             self._closed = True
+        self._tape.close()
 
     def _arrived(self) -> None:
         self.liveness.touch()

@@ -83,6 +83,12 @@ class Settings(BaseSettings):
     """Folder of recordings that the live page offers to play."""
     state_dir: Path = Field(default_factory=lambda: Path.home() / ".local" / "state" / "captra")
     """Folder for state that outlives the process: one SQLite file of sessions for each deployment."""
+    record_dir: Path | None = None
+    """Folder of sessions that the service records; by default `recordings` in the state folder."""
+    record_max_bytes: int = Field(default=2**30, ge=2**20)
+    """Size of the recording of one session, which ends there."""
+    record_max_total_bytes: int = Field(default=10 * 2**30, ge=2**20)
+    """Size of all recordings; when they have it, no other is begun."""
     profile: ProfileName = "realtime"
     """Sampling budget of sessions that name none."""
     provider: str = "auto"

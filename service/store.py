@@ -51,6 +51,8 @@ class SessionRecord:
     """Its names in ROS 2; none where the service was no node when it was opened."""
     options: TrackOptions = field(default_factory=TrackOptions)
     """What its track does beyond the paper's method."""
+    record: bool = False
+    """Whether the service records it."""
 
 
 class StoreError(RuntimeError):

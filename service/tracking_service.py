@@ -10,6 +10,7 @@ from captra.tracker import TrackerOptions
 from service.codecs import Codecs, build_codecs
 from service.networks import NetworksProvider, NoModelError
 from service.readiness import Readiness
+from service.recording.folder import Recordings
 from service.registry import Registry
 from service.settings import Settings
 from service.store import SessionRecord, SessionStore
@@ -34,6 +35,12 @@ class TrackingService:
         """How sessions are reached by Zenoh."""
         self.telemetry = Telemetry()
         """Metrics."""
+        self.recordings = Recordings(
+            settings.record_dir or settings.state_dir / "recordings",
+            settings.record_max_bytes,
+            settings.record_max_total_bytes,
+        )
+        """Sessions that the service recorded."""
         self.registry = Registry(
             provider,
             store,
@@ -41,6 +48,7 @@ class TrackingService:
             self.telemetry,
             self._codecs_of,
             self._options_of,
+            self.recordings,
             max_sessions=settings.max_sessions,
             client_grace_s=settings.client_grace_s,
         )
@@ -99,6 +107,7 @@ class TrackingService:
 
     def _prepare(self) -> None:
         try:
+            self.recordings.salvage()
             self.provider.prepare()
             self.registry.restore()
         except NoModelError as error:

@@ -12,6 +12,7 @@ MUG_PART: JsonDict = {
 }
 DEPTH_CAMERA: JsonDict = {"fx": 590.0, "fy": 590.0, "cx": 319.5, "cy": 239.5, "width": 640, "height": 480}
 ROS2: JsonDict = {"points_topic": "/camera/depth/points", "name": "coffee_mug"}
+RECORDING: JsonDict = {"name": f"mug_{SESSION_ID}", "size_bytes": 4_194_304, "finished": True}
 MUG_RESULT: JsonDict = {
     "session_id": SESSION_ID,
     "seq": 7,

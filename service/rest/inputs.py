@@ -130,6 +130,7 @@ class NewSession(Input):
         description="Whether frames bring masks, and what their pixels tell; by default CoordinateNet segments.",
     )
     camera: Camera | None = Field(default=None, description="Needed by depth images.")
+    record: bool = Field(default=False, description="Whether the service records it: `GET /v1/recordings`.")
     ros2: Ros2 | None = Field(default=None, description="Needs a service that is a node of ROS 2 (CAPTRA_ROS2).")
     prediction: Prediction | None = Field(
         default=None,

@@ -18,6 +18,8 @@ from service.rest.inputs import Part, Rotation
 SMALLEST_EDGE_M, LARGEST_EDGE_M, FARTHEST_M = 1e-4, 10.0, 1e4
 TOLERANCE = 1e-3
 """How far a quaternion may be from unit length, and a matrix from orthonormal."""
+ORTHONORMAL = 1e-12
+"""How far rounding leaves a matrix from orthonormal."""
 
 
 def pose_of(parts: Sequence[Part], category: Category) -> Pose:
@@ -62,7 +64,8 @@ def rotation_of(rotation: Rotation, part: str) -> Float64[np.ndarray, "3 3"]:
             f"the matrix of {part} is no rotation: its rows must be orthonormal and right-handed, without scale. "
             "Mirrored axes (determinant −1), a matrix with scale, or one of another shape?"
         )
-    return project_to_rotation(matrix)
+    # What is as orthonormal as numbers can be stays as it is, so that a recorded pose replays to the last digit.
+    return matrix if is_rotation(matrix, ORTHONORMAL) else project_to_rotation(matrix)
 
 
 def check_boxes(translations: Float64[np.ndarray, "parts 3"], sizes: Float64[np.ndarray, "parts 3"]) -> None:

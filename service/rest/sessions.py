@@ -18,6 +18,7 @@ from service.rejections import (
     NotARotationError,
     NotReadyError,
     NotStoredError,
+    RecordingsFullError,
     RejectedError,
     SizeNotPositiveError,
     TooManySessionsError,
@@ -53,6 +54,7 @@ OPENING_PROBLEMS = (
     TooManySessionsError,
     NotReadyError,
     NotStoredError,
+    RecordingsFullError,
 )
 
 
@@ -145,4 +147,5 @@ def order_of(body: NewSession, settings: Settings) -> Order:
         masks=body.masks,
         ros2=ros2_names(body, settings),
         options=track_options_of(body, category, settings.prediction),
+        record=body.record,
     )

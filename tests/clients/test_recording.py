@@ -12,17 +12,19 @@ import pytest
 from mcap.reader import make_reader
 
 from captra.data.recordings import RecordingError
+from captra.recording.reader import messages
 from clients.cli import track
+from clients.errors import RequestRefusedError
 from clients.playback import frames
 from clients.replay import replay
 from clients.session import open_session
-from tests.clients.sequences import DRIFT_M, FRAMES, drifting_mug
+from tests.clients.sequences import DRIFT_M, FRAMES, drifting_mug, saved
 from tests.service.support import running
 
 
 @pytest.fixture(scope="module")
 def url() -> Iterator[str]:
-    with running("mug") as started:
+    with running("mug", search_budget_ms=0) as started:  # looks by the clock are not repeated
         assert started.service.readiness.wait_prepared(30)
         yield str(started.http.base_url)
 
@@ -85,3 +87,47 @@ def test_other_files_are_refused(url: str, tmp_path: Path) -> None:
     path.write_bytes(b"nothing of the kind")
     with pytest.raises(RecordingError, match="record it again"):
         replay(url, path, lambda _: None)
+
+
+def test_what_is_sent_by_http_is_recorded_too(url: str, tmp_path: Path) -> None:
+    path, recording = tmp_path / "posted.mcap", drifting_mug()
+    with open_session("mug", recording.init, url=url, record=path) as session:
+        for cloud in recording.clouds[:3]:
+            session.post(cloud)
+        with pytest.raises(RequestRefusedError, match="near"):
+            session.post(recording.clouds[3] + np.float32(2))
+        list(session.track(list(frames(recording))[4:6]))
+    names = [name for name, _ in messages(path)]
+    assert (names.count("captra.Frame"), names.count("captra.Result")) == (6, 5)
+    pairs = replay(url, path, lambda _: None)
+    assert [pair.recorded.seq for pair in pairs] == [0, 1, 2, 4, 5]
+    assert all(pair.identical for pair in pairs)
+
+
+def test_frames_without_the_object_are_replayed_since_they_count(url: str, tmp_path: Path) -> None:
+    path, recording = tmp_path / "missed.mcap", drifting_mug(12)
+    clouds = [recording.clouds[0]] * 12
+    for frame in range(2, 10):
+        clouds[frame] = clouds[frame] + np.float32(2)
+    with open_session("mug", recording.init, url=url, record=path) as session:
+        results = list(session.track(clouds, on_event=lambda event: None))
+    states = {result.seq: result.state for result in results}
+    pairs = replay(url, path, lambda _: None)
+    assert [pair.recorded.seq for pair in pairs] == [0, 1, 10, 11]
+    assert [pair.replayed.state for pair in pairs] == [states[seq] for seq in (0, 1, 10, 11)]
+    assert states[10] is not states[1], "misses change the state"
+    assert all(pair.identical for pair in pairs)
+
+
+def test_several_recordings_go_into_several_files(url: str, tmp_path: Path) -> None:
+    first, second = drifting_mug(3), replace(drifting_mug(4), name="mug__blob__other")
+    track(
+        [saved(first, tmp_path), saved(second, tmp_path)],
+        url=url,
+        as_fast_as_possible=True,
+        record=tmp_path / "played.mcap",
+    )
+    for recording in (first, second):
+        names = [name for name, _ in messages(tmp_path / f"played__{recording.name}.mcap")]
+        assert names.count("captra.Result") == names.count("captra.Truth") == len(recording)
+    assert not (tmp_path / "played.mcap").exists()

@@ -13,6 +13,8 @@ METHODS = {
     "/v1/sessions/{session_id}": {"get", "delete"},
     "/v1/sessions/{session_id}/pose": {"get", "put"},
     "/v1/sessions/{session_id}/frames": {"post"},
+    "/v1/recordings": {"get"},
+    "/v1/recordings/{name}": {"get", "delete"},
     "/v1/categories": {"get"},
     "/v1/models": {"get"},
     "/v1/health/live": {"get"},

@@ -13,7 +13,7 @@ from captra.evaluation.report import Report
 from captra.evaluation.runner import Outcome
 from captra.evaluation.scoring import score
 from captra.evaluation.sequences import Sequence
-from captra.evaluation.timeline import stretches
+from captra.evaluation.state_bands import stretches
 from captra.evaluation.workers import Here
 from captra.health import State
 from tests.captra.evaluation.test_evaluation import Held, Ready, moved, still_recording

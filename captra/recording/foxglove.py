@@ -1,12 +1,12 @@
 """Clouds, poses and boxes in Foxglove's well-known schemas, so that Foxglove and Rerun show them as they are."""
 
 import base64
-from typing import Any
+from collections.abc import Sequence
+from typing import Any, Protocol
 
 import numpy as np
 
 from captra.health import State
-from clients.results import PartPose, Result
 
 FLOAT32 = 7
 """Number of the type in foxglove.PackedElementField."""
@@ -20,6 +20,50 @@ COLOURS = {
 """Red, green, blue, alpha."""
 
 Schema = dict[str, Any]
+
+
+class Part(Protocol):
+    """A part's box, as clients and the service have it."""
+
+    @property
+    def name(self) -> str:
+        """As in the category."""
+
+    @property
+    def translation(self) -> tuple[float, ...]:
+        """Centre of the box, metres."""
+
+    @property
+    def quat_xyzw(self) -> tuple[float, ...]:
+        """Rotation of the box."""
+
+    @property
+    def size(self) -> tuple[float, ...]:
+        """Extent along the part's own axes, metres."""
+
+
+class Result(Protocol):
+    """What a frame told, as clients and the service have it."""
+
+    @property
+    def session_id(self) -> str:
+        """Whose object."""
+
+    @property
+    def stamp_ns(self) -> int | None:
+        """Stamp of the frame."""
+
+    @property
+    def frame_id(self) -> str:
+        """Frame of the poses."""
+
+    @property
+    def state(self) -> State:
+        """Whether the track holds."""
+
+    @property
+    def parts(self) -> Sequence[Part]:
+        """One a part."""
 
 
 def record(**properties: Schema) -> Schema:
@@ -89,7 +133,7 @@ def transforms(result: Result) -> dict[str, Any]:
     return {
         "transforms": [
             {
-                "timestamp": time_of(result.stamp_ns),
+                "timestamp": time_of(result.stamp_ns or 0),
                 "parent_frame_id": result.frame_id,
                 "child_frame_id": part.name,
                 "translation": xyz(part.translation),
@@ -104,12 +148,12 @@ def boxes(result: Result) -> dict[str, Any]:
     """foxglove.SceneUpdate: a box a part, in the colour of the state."""
     colour = dict(zip("rgba", COLOURS[result.state], strict=True))
 
-    def cube(part: PartPose) -> dict[str, Any]:
+    def cube(part: Part) -> dict[str, Any]:
         pose = {"position": xyz(part.translation), "orientation": xyz(part.quat_xyzw)}
         return {"pose": pose, "size": xyz(part.size), "color": colour}
 
     entity = {
-        "timestamp": time_of(result.stamp_ns),
+        "timestamp": time_of(result.stamp_ns or 0),
         "frame_id": result.frame_id,
         "id": result.session_id,
         "lifetime": time_of(0),

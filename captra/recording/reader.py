@@ -1,0 +1,53 @@
+"""Reads what a session's file holds, whether its writer closed it or died."""
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import orjson
+from mcap.exceptions import EndOfFile, McapError
+from mcap.reader import NonSeekingReader, make_reader
+from mcap.writer import Writer
+
+from captra.data.recordings import RecordingError
+
+
+def messages(path: Path) -> Iterator[tuple[str, Mapping[str, Any]]]:
+    """Schema name and content of our own messages, in the order of writing.
+
+    Raises:
+        RecordingError: the file is no recording of a session.
+    """
+    try:
+        with path.open("rb") as file:
+            for schema, _, message in make_reader(file).iter_messages(log_time_order=False):
+                if schema is not None and schema.name.startswith("captra."):
+                    yield schema.name, orjson.loads(message.data)
+    except (McapError, orjson.JSONDecodeError) as error:
+        raise RecordingError(f"{path} is no whole MCAP recording ({error}): record it again") from error
+
+
+def salvage(path: Path, whole: Path) -> int:
+    """Write what can be read of a file whose writer died into a whole one; the number of its messages.
+
+    Raises:
+        RecordingError: nothing can be read of it.
+    """
+    channels: dict[int, int] = {}
+    count = 0
+    with path.open("rb") as source, whole.open("wb") as target:
+        writer = Writer(target)
+        writer.start(profile="", library="captra")
+        try:
+            for schema, channel, message in NonSeekingReader(source).iter_messages(log_time_order=False):
+                if channel.id not in channels:
+                    number = 0 if schema is None else writer.register_schema(schema.name, schema.encoding, schema.data)
+                    channels[channel.id] = writer.register_channel(channel.topic, channel.message_encoding, number)
+                writer.add_message(channels[channel.id], message.log_time, message.data, message.publish_time)
+                count += 1
+        except (EndOfFile, McapError) as error:
+            if count == 0:
+                raise RecordingError(f"nothing can be read of {path} ({error}): delete it") from error
+        finally:
+            writer.finish()  # type: ignore[no-untyped-call]
+    return count

@@ -1,0 +1,131 @@
+"""Writes a session into an MCAP file: what went to the service, what came back, and the same for Foxglove and Rerun."""
+
+import base64
+import threading
+import time
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import orjson
+from mcap.writer import Writer
+
+from captra.geometry import Pose
+from captra.recording.foxglove import SCHEMAS, Result, boxes, point_cloud, transforms
+
+SESSION, FRAME, RESULT, EVENT, RESET = "captra.Session", "captra.Frame", "captra.Result", "captra.Event", "captra.Reset"
+"""Messages of our own, as JSON: what a replay needs."""
+TRUTH = "captra.Truth"
+"""Where the object really was, of recordings that know."""
+TOPICS = {
+    SESSION: "/captra/session",
+    FRAME: "/captra/frames",
+    RESULT: "/captra/results",
+    EVENT: "/captra/events",
+    RESET: "/captra/resets",
+    TRUTH: "/captra/truth",
+    "foxglove.PointCloud": "/cloud",
+    "foxglove.FrameTransforms": "/tf",
+    "foxglove.SceneUpdate": "/boxes",
+}
+DEFAULT_FRAME_ID = "camera"
+"""What the service calls the frame of a session that names none."""
+ANY_OBJECT = {"type": "object"}
+POINT_CLOUD2 = "sensor_msgs/msg/PointCloud2"
+"""Written as it came: viewers know it."""
+
+Shown = np.ndarray | bytes | None
+"""What a frame shows: points (N, 3), metres; a PointCloud2 in CDR; or nothing that is known."""
+
+
+class SessionWriter:
+    """One file of one session; its methods may be called from any thread. Close it, or the file has no index."""
+
+    def __init__(self, path: Path) -> None:
+        self._file = path.open("wb")
+        self._writer = Writer(self._file)
+        self._writer.start(profile="", library="captra")
+        self._channels: dict[str, int] = {}
+        for name, topic in TOPICS.items():
+            schema = orjson.dumps(SCHEMAS.get(name, ANY_OBJECT))
+            self._declare(name, "jsonschema", schema, topic, "json")
+        self._lock = threading.Lock()
+        self._closed = False
+        self._frame_id = DEFAULT_FRAME_ID
+
+    @property
+    def size_bytes(self) -> int:
+        """How much is in the file by now."""
+        with self._lock:
+            return 0 if self._closed else self._file.tell()
+
+    def session(self, body: Mapping[str, Any]) -> None:
+        """The body of the POST that opened the session."""
+        self._frame_id = str(body.get("frame_id", DEFAULT_FRAME_ID))
+        self._write(SESSION, orjson.dumps(body))
+
+    def frame(self, seq: int, stamp_ns: int, encoding: str, payload: bytes, mask: bytes, shown: Shown) -> None:
+        """A frame as it was sent, with its mask or box, and what it shows."""
+        body = {"seq": seq, "stamp_ns": stamp_ns, "encoding": encoding, "payload": base64.b64encode(payload).decode()}
+        self._write(FRAME, orjson.dumps(body | ({"mask": base64.b64encode(mask).decode()} if mask else {})))
+        match shown:
+            case bytes():
+                self._write(POINT_CLOUD2, shown)
+            case np.ndarray():
+                self._write("foxglove.PointCloud", orjson.dumps(point_cloud(shown, stamp_ns, self._frame_id)))
+
+    def result(self, payload: bytes, result: Result) -> None:
+        """A result as it came, byte for byte."""
+        self._write(RESULT, payload)
+        self._write("foxglove.FrameTransforms", orjson.dumps(transforms(result)))
+        self._write("foxglove.SceneUpdate", orjson.dumps(boxes(result)))
+
+    def event(self, payload: bytes) -> None:
+        """An event as it came."""
+        self._write(EVENT, payload)
+
+    def reset(self, body: Mapping[str, Any]) -> None:
+        """The body of a PUT that started the track again."""
+        self._write(RESET, orjson.dumps(body))
+
+    def truth(self, stamp_ns: int, pose: Pose) -> None:
+        """The true pose at the time of a frame."""
+        self._write(TRUTH, orjson.dumps({"stamp_ns": stamp_ns, "parts": parts_of(pose)}))
+
+    def close(self) -> None:
+        """Write the index; what comes later is not recorded."""
+        with self._lock:
+            if not self._closed:
+                self._closed = True
+                self._writer.finish()  # type: ignore[no-untyped-call]
+                self._file.close()
+
+    def _declare(self, name: str, schema_encoding: str, schema: bytes, topic: str, encoding: str) -> None:
+        number = self._writer.register_schema(name, schema_encoding, schema)
+        self._channels[name] = self._writer.register_channel(topic, encoding, number)
+
+    def _write(self, name: str, data: bytes) -> None:
+        now_ns = time.time_ns()
+        with self._lock:
+            if self._closed:
+                return
+            if name == POINT_CLOUD2 and name not in self._channels:  # takes half a second: for those who need it
+                self._declare(name, "ros2msg", definition_of(name), "/cloud", "cdr")
+            self._writer.add_message(self._channels[name], now_ns, data, now_ns)
+
+
+def parts_of(pose: Pose) -> list[dict[str, Any]]:
+    """A pose as the bodies of the REST API have it: one entry a part, rotation as a matrix, metres."""
+    return [
+        {"rotation": {"matrix": rotation.tolist()}, "translation": translation.tolist(), "size": size.tolist()}
+        for rotation, translation, size in zip(pose.rotation, pose.translation, pose.size, strict=True)
+    ]
+
+
+def definition_of(name: str) -> bytes:
+    """The definition of a ROS 2 message with all that it is made of, as MCAP wants it."""
+    from rosbags.typesys import Stores, get_typestore
+
+    text, _ = get_typestore(Stores.ROS2_JAZZY).generate_msgdef(name, ros_version=2)
+    return text.encode()

@@ -1,0 +1,181 @@
+"""The folder of recordings, and how much may be in it."""
+
+import logging
+import re
+import threading
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from captra.data.recordings import RecordingError
+from captra.recording.reader import salvage
+from captra.recording.writer import SessionWriter, parts_of
+from service.recording.tape import NO_TAPE, McapTape, Tape
+from service.rejections import (
+    NotStoredError,
+    RecordingsFullError,
+    RejectedError,
+    UnfinishedRecordingError,
+    UnknownRecordingError,
+)
+from service.store import SessionRecord
+
+logger = logging.getLogger(__name__)
+
+WHOLE, UNFINISHED = ".mcap", ".mcap.part"
+NAME = re.compile(r"[A-Za-z0-9_-]{1,120}")
+LEAST_ROOM_BYTES = 2**20
+"""A recording that has less room is not begun."""
+
+
+@dataclass(frozen=True)
+class Recorded:
+    """One recording."""
+
+    name: str
+    """Of the file, without its ending: category and session id."""
+    size_bytes: int
+    """Of the file."""
+    finished: bool
+    """Whether it is whole."""
+
+
+class Recordings:
+    """Starts, lists and removes recordings; its methods may be called from any thread."""
+
+    def __init__(self, folder: Path, max_bytes: int, max_total_bytes: int) -> None:
+        """`max_bytes` limits one file, `max_total_bytes` the folder."""
+        self._folder = folder
+        self._max_bytes = max_bytes
+        self._max_total_bytes = max_total_bytes
+        self._promised: dict[str, int] = {}  # how large the recordings at work may become
+        self._lock = threading.Lock()
+
+    def salvage(self) -> None:
+        """Make whole what a process that died has left behind."""
+        for path in self._folder.glob(f"*{UNFINISHED}"):
+            whole = self._folder / (path.name.removesuffix(UNFINISHED) + WHOLE)
+            try:
+                count = salvage(path, whole)
+            except (RecordingError, OSError) as error:
+                whole.unlink(missing_ok=True)
+                logger.warning("recording not salvaged: %s", error)
+                continue
+            path.unlink()
+            logger.info("recording salvaged", extra={"recording": whole.stem, "messages": count})
+
+    def start(self, record: SessionRecord) -> Tape:
+        """Begin to record a session, where it wants to be recorded.
+
+        Raises:
+            RecordingsFullError: there is no room.
+            NotStoredError: the folder cannot be written.
+        """
+        if not record.record:
+            return NO_TAPE
+        with self._lock:
+            name = self._free_name(f"{record.category}_{record.session_id}")
+            room = min(self._max_bytes, self._max_total_bytes - self._used_bytes())
+            if room < LEAST_ROOM_BYTES:
+                raise RecordingsFullError(
+                    f"recordings fill the {self._max_total_bytes} bytes that they may have: DELETE /v1/recordings/…, "
+                    "or raise CAPTRA_RECORD_MAX_TOTAL_BYTES"
+                )
+            path = self._folder / (name + UNFINISHED)
+            try:
+                self._folder.mkdir(parents=True, exist_ok=True)
+                writer = SessionWriter(path)
+            except OSError as error:
+                raise NotStoredError(
+                    f"{path} cannot be written ({error}): set CAPTRA_RECORD_DIR to a folder that can"
+                ) from error
+            self._promised[name] = room
+        return McapTape(writer, body_of(record), room, lambda: self._finished(name), name)
+
+    def go_on(self, record: SessionRecord) -> Tape:
+        """Record a restored session into one more file; one that there is no room for goes on without."""
+        try:
+            return self.start(record)
+        except RejectedError as rejection:
+            logger.warning("not recorded any more: %s", rejection, extra={"session_id": record.session_id})
+            return NO_TAPE
+
+    def all(self) -> Sequence[Recorded]:
+        """Every recording, by name."""
+        paths = [*self._folder.glob(f"*{WHOLE}"), *self._folder.glob(f"*{UNFINISHED}")]
+        return sorted((recorded(path) for path in paths if path.is_file()), key=lambda each: each.name)
+
+    def path(self, name: str) -> Path:
+        """The file of a whole recording.
+
+        Raises:
+            UnknownRecordingError: there is none of this name.
+            UnfinishedRecordingError: its session is still open.
+        """
+        whole, unfinished = (self._folder / (name + ending) for ending in (WHOLE, UNFINISHED))
+        if NAME.fullmatch(name) and whole.is_file():
+            return whole
+        if NAME.fullmatch(name) and unfinished.is_file():
+            raise UnfinishedRecordingError(f"{name} is still being recorded: close its session first")
+        raise UnknownRecordingError(f"there is no recording {name[:100]!r}: GET /v1/recordings lists those there are")
+
+    def remove(self, name: str) -> None:
+        """Delete a whole recording.
+
+        Raises:
+            UnknownRecordingError: there is none of this name.
+            UnfinishedRecordingError: its session is still open.
+        """
+        self.path(name).unlink(missing_ok=True)
+
+    def _finished(self, name: str) -> None:
+        with self._lock:
+            self._promised.pop(name, None)
+            path = self._folder / (name + UNFINISHED)
+            path.rename(self._folder / (name + WHOLE))
+
+    def _used_bytes(self) -> int:
+        whole = sum(path.stat().st_size for path in self._folder.glob(f"*{WHOLE}"))
+        return whole + sum(self._promised.values())
+
+    def _free_name(self, stem: str) -> str:
+        names, number = {each.name for each in self.all()}, 1
+        while (name := stem if number == 1 else f"{stem}-{number}") in names:
+            number += 1
+        return name
+
+
+def recorded(path: Path) -> Recorded:
+    """What a file tells of itself."""
+    finished = path.name.endswith(WHOLE)
+    name = path.name.removesuffix(WHOLE if finished else UNFINISHED)
+    return Recorded(name, path.stat().st_size, finished)
+
+
+def body_of(record: SessionRecord) -> Mapping[str, Any]:
+    """The body of a POST that opens such a session."""
+    camera, chosen = record.camera, record.options
+    options: dict[str, Any] = {
+        "masks": record.masks,
+        "prediction": chosen.prediction,
+        "smoothing": None if chosen.smoothing is None else asdict(chosen.smoothing),
+        "joint_axes": None if chosen.joint_axes is None else dict(chosen.joint_axes),
+    }
+    if camera is not None:
+        intrinsics = camera.intrinsics
+        options["camera"] = {
+            "fx": intrinsics.fx,
+            "fy": intrinsics.fy,
+            "cx": intrinsics.cx,
+            "cy": intrinsics.cy,
+            "width": camera.width,
+            "height": camera.height,
+            "metres_per_unit": camera.metres_per_unit,
+        }
+    return {
+        "category": record.category,
+        "parts": parts_of(record.trusted.pose),
+        "profile": record.profile,
+        "frame_id": record.frame_id,
+    } | {name: value for name, value in options.items() if value is not None}

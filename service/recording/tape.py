@@ -1,0 +1,149 @@
+"""What a session is recorded on: nothing, or a file that a thread writes, so that no frame waits for a disk."""
+
+import logging
+import queue
+import threading
+from collections.abc import Callable, Mapping
+from contextlib import suppress
+from typing import Any, Protocol
+
+from captra.geometry import Pose
+from captra.observations import Observation
+from captra.recording.writer import SessionWriter, Shown, parts_of
+from service.codecs import CDR
+from service.envelopes import Envelope, NumberedHeader
+from service.results import Event, Result
+
+logger = logging.getLogger(__name__)
+
+MOST_WAITING = 64
+"""Messages that may wait for the disk; a recording that falls further behind ends."""
+
+
+class Tape(Protocol):
+    """Takes down one session; called while it is locked, so its methods return quickly."""
+
+    def frame(self, header: NumberedHeader, envelope: Envelope, mask: bytes, observation: Observation) -> None:
+        """A frame is about to be tracked; `mask` is its mask or box, packed."""
+
+    def cloud(self, header: NumberedHeader, observation: Observation) -> None:
+        """The same for observers."""
+
+    def reset(self, pose: Pose) -> None:
+        """The track starts again from this pose."""
+
+    def result(self, result: Result) -> None:
+        """A frame was processed."""
+
+    def event(self, event: Event) -> None:
+        """Something else happened."""
+
+    def close(self) -> None:
+        """Write what waits, and the index."""
+
+
+class NoTape:
+    """The session is not recorded."""
+
+    def frame(self, header: NumberedHeader, envelope: Envelope, mask: bytes, observation: Observation) -> None:
+        """Nothing to do."""
+
+    def cloud(self, header: NumberedHeader, observation: Observation) -> None:
+        """Nothing to do."""
+
+    def reset(self, pose: Pose) -> None:
+        """Nothing to do."""
+
+    def result(self, result: Result) -> None:
+        """Nothing to do."""
+
+    def event(self, event: Event) -> None:
+        """Nothing to do."""
+
+    def close(self) -> None:
+        """Nothing to do."""
+
+
+NO_TAPE: Tape = NoTape()
+
+
+class McapTape:
+    """Records into one file, as long as there is room and the disk keeps up."""
+
+    def __init__(
+        self, writer: SessionWriter, body: Mapping[str, Any], limit_bytes: int, on_end: Callable[[], None], name: str
+    ) -> None:
+        """`body` would open such a session; `on_end` is called on the writing thread when the file is whole."""
+        self._writer = writer
+        self._limit_bytes = limit_bytes
+        self._on_end = on_end
+        self._name = name
+        self._waiting: queue.Queue[Callable[[], None] | None] = queue.Queue(MOST_WAITING)
+        self._ended = threading.Event()
+        self._thread = threading.Thread(target=self._run, name=f"captra-tape-{name}", daemon=True)
+        self._thread.start()
+        self._put(lambda: writer.session(body))
+
+    def frame(self, header: NumberedHeader, envelope: Envelope, mask: bytes, observation: Observation) -> None:
+        """Keep it; what it shows is worked out by the thread that writes."""
+        media_type = envelope.encoding.partition(";")[0].strip().lower()
+
+        def shown() -> Shown:
+            return envelope.payload if media_type == CDR else observation.whole().points
+
+        self._put(
+            lambda: self._writer.frame(header.seq, header.stamp_ns, envelope.encoding, envelope.payload, mask, shown())
+        )
+
+    def cloud(self, header: NumberedHeader, observation: Observation) -> None:
+        """It is kept as a frame."""
+
+    def reset(self, pose: Pose) -> None:
+        """Keep the pose."""
+        self._put(lambda: self._writer.reset({"parts": parts_of(pose)}))
+
+    def result(self, result: Result) -> None:
+        """Keep the result."""
+        self._put(lambda: self._writer.result(result.to_json(), result))
+
+    def event(self, event: Event) -> None:
+        """Keep the event."""
+        self._put(lambda: self._writer.event(event.to_json()))
+
+    def close(self) -> None:
+        """Write what waits, and the index."""
+        while self._thread.is_alive():
+            with suppress(queue.Full):
+                self._waiting.put(None, timeout=0.1)
+                break
+        self._thread.join()
+
+    def _put(self, write: Callable[[], None]) -> None:
+        if self._ended.is_set():
+            return
+        try:
+            self._waiting.put_nowait(write)
+        except queue.Full:
+            self._end("the disk does not keep up")
+
+    def _run(self) -> None:
+        while not self._ended.is_set():
+            write = self._waiting.get()
+            if write is None:
+                break
+            try:
+                write()
+            except OSError as error:
+                self._end(str(error))
+            if self._writer.size_bytes >= self._limit_bytes:
+                self._end("it has the size that it may have")
+        self._ended.set()
+        try:
+            self._writer.close()
+        except OSError:
+            logger.exception("recording not closed", extra={"recording": self._name})
+        self._on_end()
+
+    def _end(self, why: str) -> None:
+        logger.warning("recording ends before its session: %s", why, extra={"recording": self._name})
+        self._ended.set()

@@ -1,0 +1,97 @@
+"""`captra record` hears sessions that others opened, over real sockets."""
+
+import threading
+from collections.abc import Iterator
+from contextlib import closing
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from captra.recording.reader import messages
+from clients.listening import listen_to, mask_in
+from clients.playback import frames
+from clients.record import record
+from clients.regions import PACKED_BOX
+from clients.replay import replay
+from clients.rest import RestApi
+from clients.session import open_session
+from tests.clients.sequences import FRAMES, drifting_mug
+from tests.service.support import running
+
+
+@pytest.fixture(scope="module")
+def url() -> Iterator[str]:
+    with running("mug") as started:
+        assert started.service.readiness.wait_prepared(60)
+        yield str(started.http.base_url)
+
+
+class Listener:
+    """`captra record` on a thread."""
+
+    def __init__(self, url: str, folder: Path, sessions: list[str]) -> None:
+        self.lines: list[str] = []
+        self._began = threading.Event()
+        self._thread = threading.Thread(target=self._run, args=(url, folder, sessions))
+        self._thread.start()
+
+    def wait_begun(self) -> None:
+        assert self._began.wait(10)
+
+    def join(self) -> None:
+        self._thread.join(20)
+        assert not self._thread.is_alive()
+
+    def _run(self, url: str, folder: Path, sessions: list[str]) -> None:
+        with closing(RestApi(url)) as api:
+            listen_to(api, sessions, folder, self._tell, until_s=12)
+
+    def _tell(self, line: str) -> None:
+        self.lines.append(line)
+        self._began.set()
+
+
+def test_one_session_is_recorded_until_it_is_closed(url: str, tmp_path: Path) -> None:
+    recording = drifting_mug()
+    with open_session("mug", recording.init, url=url, frame_id="camera") as session:
+        listener = Listener(url, tmp_path, [session.session_id])
+        listener.wait_begun()
+        list(session.track(frames(recording)))
+        path = tmp_path / f"mug_{session.session_id}.mcap"
+    listener.join()
+    found = [name for name, _ in messages(path)]
+    assert found.count("captra.Frame") == found.count("captra.Result") == FRAMES
+    assert listener.lines == [f"{path}: recording", f"session {path.stem[4:]}: complete"]
+    pairs = replay(url, path, lambda result: None)
+    assert len(pairs) == FRAMES
+    for pair in pairs:
+        np.testing.assert_allclose(pair.replayed.pose.translation, pair.recorded.pose.translation, atol=1e-9)
+
+
+def test_all_sessions_are_recorded_also_those_that_are_opened_later(url: str, tmp_path: Path) -> None:
+    recording = drifting_mug()
+    with open_session("mug", recording.init, url=url) as first:
+        listener = Listener(url, tmp_path, [])
+        listener.wait_begun()
+        with open_session("mug", recording.init, url=url) as second:
+            list(second.track(list(frames(recording))[:3]))
+        list(first.track(list(frames(recording))[:2]))
+    listener.join()
+    for session, count in ((first, 2), (second, 3)):
+        found = [name for name, _ in messages(tmp_path / f"mug_{session.session_id}.mcap")]
+        assert found.count("captra.Result") == count
+
+
+def test_command_waits_for_a_session(url: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    record(out=tmp_path / "new", seconds=0.1, url=url)
+    assert "waiting for one" in capsys.readouterr().out
+    assert list((tmp_path / "new").iterdir()) == []
+
+
+def test_secrets_are_not_recorded() -> None:
+    secret, box = b"s" * 16, PACKED_BOX.pack(1, 2, 30, 40)
+    png = b"\x89PNG\r\n\x1a\nwhatever" + bytes(4) + b"IEND\xae\x42\x60\x82"
+    for mask in (b"", box, png):
+        assert mask_in(mask) == mask
+        assert mask_in(mask + secret) == mask

@@ -1,0 +1,181 @@
+"""Sessions that the service records itself: files are whole, limited, fetched by HTTP, and replay to the last digit."""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from captra.recording.reader import messages
+from clients.replay import replay
+from service.sqlite_store import SqliteSessionStore
+from tests.service.support import Running, blob, f32, i16, running
+
+PERIOD_NS = 33_000_000
+I16 = "application/vnd.captra.cloud.i16"
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    return tmp_path / "recordings"
+
+
+@pytest.fixture
+def recording(folder: Path) -> Iterator[Running]:
+    with running("mug", record_dir=folder, search_budget_ms=0) as started:
+        assert started.service.readiness.wait_prepared(60)
+        yield started
+
+
+def turned(angle: float) -> list[list[float]]:
+    """A rotation whose numbers are not round."""
+    c, s = float(np.cos(angle)), float(np.sin(angle))
+    return [[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]]
+
+
+def track_something(service: Running) -> str:
+    part = {"rotation": {"matrix": turned(0.3)}, "translation": [0, 0, 0.5], "size": [0.1, 0.11, 0.12]}
+    options: dict[str, Any] = {
+        "frame_id": "camera_depth_optical_frame",
+        "prediction": "constant-velocity",
+        "smoothing": {},
+    }
+    opened = service.open_session(parts=[part], record=True, **options)
+    session_id: str = opened["session_id"]
+    for seq in range(4):
+        sent = service.post_frame(session_id, f32(blob((0.003 * seq, 0, 0.5))), seq, stamp_ns=seq * PERIOD_NS)
+        assert sent.status_code == 200
+    assert service.post_frame(session_id, f32(blob((5, 5, 5))), 4).status_code == 422  # nothing near the object
+    assert service.post_frame(session_id, b"123", 5).status_code == 422  # no cloud: the tracker never sees it
+    service.post_frame(session_id, i16(blob((0.01, 0, 0.5))), 6, I16, stamp_ns=6 * PERIOD_NS)
+    moved = {"parts": [part | {"rotation": {"matrix": turned(0.1)}}]}
+    assert service.http.put(f"/v1/sessions/{session_id}/pose", json=moved).status_code == 200
+    for seq in range(3):  # numbers start over
+        sent = service.post_frame(session_id, f32(blob((0.004 * seq, 0.001, 0.5))), seq, stamp_ns=seq * PERIOD_NS)
+        assert sent.status_code == 200
+    service.http.delete(f"/v1/sessions/{session_id}")
+    return session_id
+
+
+def names(service: Running) -> list[dict[str, Any]]:
+    found: list[dict[str, Any]] = service.http.get("/v1/recordings").json()["recordings"]
+    return found
+
+
+def test_a_recorded_session_is_fetched_and_replays_to_the_last_digit(recording: Running, tmp_path: Path) -> None:
+    session_id = track_something(recording)
+    (entry,) = names(recording)
+    assert (entry["name"], entry["finished"]) == (f"mug_{session_id}", True)
+    answer = recording.http.get(f"/v1/recordings/{entry['name']}")
+    assert answer.headers["content-type"] == "application/vnd.mcap"
+    assert len(answer.content) == entry["size_bytes"]
+    path = tmp_path / "fetched.mcap"
+    path.write_bytes(answer.content)
+    pairs = replay(str(recording.http.base_url), path, lambda result: None)
+    assert [pair.recorded.seq for pair in pairs] == [0, 1, 2, 3, 6, 0, 1, 2]
+    assert all(pair.identical for pair in pairs)
+    kinds = [name for name, _ in messages(path)]
+    assert kinds.count("captra.Reset") == 1
+    events = [body for name, body in messages(path) if name == "captra.Event"]
+    assert events[-1]["kind"] == "closing"
+
+
+def test_what_is_not_recorded_leaves_no_file(recording: Running, folder: Path) -> None:
+    session_id = recording.open_session()["session_id"]
+    recording.post_frame(session_id, f32(blob()))
+    recording.http.delete(f"/v1/sessions/{session_id}")
+    assert names(recording) == []
+    assert not folder.exists()
+
+
+def test_a_recording_at_work_is_listed_and_cannot_be_fetched(recording: Running) -> None:
+    session_id = recording.open_session(record=True)["session_id"]
+    (entry,) = names(recording)
+    assert entry["finished"] is False
+    for method in ("GET", "DELETE"):
+        answer = recording.http.request(method, f"/v1/recordings/{entry['name']}")
+        assert (answer.status_code, answer.json()["reason"]) == (409, "unfinished-recording")
+    recording.http.delete(f"/v1/sessions/{session_id}")
+    assert recording.http.delete(f"/v1/recordings/{entry['name']}").status_code == 204
+    assert names(recording) == []
+
+
+@pytest.mark.parametrize("name", ["nothing", "..%2F..%2Fetc%2Fpasswd", "a.mcap", "%00"])
+def test_names_of_no_recording_lead_nowhere(recording: Running, name: str) -> None:
+    answer = recording.http.get(f"/v1/recordings/{name}")
+    assert answer.status_code == 404
+    assert answer.json()["reason"] in {"unknown-recording", "not-found"}
+
+
+def test_a_recording_ends_at_its_size_and_the_session_goes_on(folder: Path) -> None:
+    with running("mug", record_dir=folder, record_max_bytes=2**20, record_max_total_bytes=2**21) as service:
+        assert service.service.readiness.wait_prepared(60)
+        session_id = service.open_session(record=True)["session_id"]
+        noise = np.random.default_rng(0).uniform(-0.05, 0.05, (40_000, 3)) + (0, 0, 0.5)
+        for seq in range(8):
+            assert service.post_frame(session_id, f32(noise), seq).status_code == 200
+        service.http.delete(f"/v1/sessions/{session_id}")
+        (entry,) = names(service)
+        assert entry["finished"]
+        assert 2**20 <= entry["size_bytes"] < 2**22
+        seqs = [body["seq"] for name, body in messages(folder / f"{entry['name']}.mcap") if name == "captra.Frame"]
+        assert 0 < len(seqs) < 8
+        answer = service.http.post("/v1/sessions", json=session_body_recorded())
+        assert (answer.status_code, answer.json()["reason"]) == (507, "recordings-full")
+        assert "CAPTRA_RECORD_MAX_TOTAL_BYTES" in answer.json()["detail"]
+        assert service.http.get("/v1/sessions").json() == {"sessions": []}
+        service.http.delete(f"/v1/recordings/{entry['name']}")
+        assert service.http.post("/v1/sessions", json=session_body_recorded()).status_code == 201
+
+
+def session_body_recorded() -> dict[str, Any]:
+    part = {"rotation": {"quat_xyzw": [0, 0, 0, 1]}, "translation": [0, 0, 0.5], "size": [0.1, 0.1, 0.1]}
+    return {"category": "mug", "parts": [part], "record": True}
+
+
+def test_a_folder_that_cannot_be_written_is_told_before_anything_is_lost(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("in the way")
+    with running("mug", record_dir=tmp_path / "file" / "recordings") as service:
+        assert service.service.readiness.wait_prepared(60)
+        answer = service.http.post("/v1/sessions", json=session_body_recorded())
+        assert (answer.status_code, answer.json()["reason"]) == (503, "not-stored")
+        assert "CAPTRA_RECORD_DIR" in answer.json()["detail"]
+
+
+def test_a_session_that_goes_on_after_a_restart_is_recorded_into_one_more_file(folder: Path, tmp_path: Path) -> None:
+    database = tmp_path / "sessions.sqlite"
+    with running("mug", record_dir=folder, store=SqliteSessionStore(database)) as service:
+        assert service.service.readiness.wait_prepared(60)
+        session_id = service.open_session(record=True)["session_id"]
+        service.post_frame(session_id, f32(blob()), 0)
+    with running("mug", record_dir=folder, store=SqliteSessionStore(database)) as service:
+        assert service.service.readiness.wait_prepared(60)
+        assert service.post_frame(session_id, f32(blob()), 1).status_code == 200
+        service.http.delete(f"/v1/sessions/{session_id}")
+        assert [entry["name"] for entry in names(service)] == [f"mug_{session_id}", f"mug_{session_id}-2"]
+    for name, seq in ((f"mug_{session_id}", 0), (f"mug_{session_id}-2", 1)):
+        assert [b["seq"] for kind, b in messages(folder / f"{name}.mcap") if kind == "captra.Result"] == [seq]
+
+
+def test_what_a_process_that_died_has_left_behind_is_made_whole(folder: Path) -> None:
+    with running("mug", record_dir=folder) as service:
+        assert service.service.readiness.wait_prepared(60)
+        session_id = service.open_session(record=True)["session_id"]
+        noise = np.random.default_rng(0).uniform(-0.05, 0.05, (40_000, 3)) + (0, 0, 0.5)
+        for seq in range(6):
+            service.post_frame(session_id, f32(noise), seq)
+        service.http.delete(f"/v1/sessions/{session_id}")
+    whole = folder / f"mug_{session_id}.mcap"
+    content = whole.read_bytes()
+    whole.unlink()
+    (folder / "mug_died.mcap.part").write_bytes(content[: len(content) * 2 // 3])
+    (folder / "mug_empty.mcap.part").write_bytes(b"")
+    with running("mug", record_dir=folder) as service:
+        assert service.service.readiness.wait_prepared(60)
+        assert [(entry["name"], entry["finished"]) for entry in names(service)] == [
+            ("mug_died", True), ("mug_empty", False),
+        ]  # fmt: skip
+    seqs = [body["seq"] for name, body in messages(folder / "mug_died.mcap") if name == "captra.Frame"]
+    assert seqs == list(range(len(seqs)))
+    assert 0 < len(seqs) < 6
