@@ -90,8 +90,7 @@ def answer(
     if not isinstance(rejection, FrameRejectedError):  # frames are counted where they are refused
         request.app.state.service.telemetry.request_rejected(rejection.reason)
     body = _members(rejection, rejection.detail, request.url.path) | members
-    status = int(body["status"])
-    return Response(orjson.dumps(body), status, media_type=MEDIA_TYPE, headers=dict(headers or {}))
+    return Response(orjson.dumps(body), rejection.status, media_type=MEDIA_TYPE, headers=dict(headers or {}))
 
 
 def _content() -> dict[str, Any]:
@@ -142,8 +141,7 @@ async def _http_error(request: Request, error: Exception) -> Response:
             allowed = (error.headers or {}).get("Allow", "another method")
             rejection = MethodNotAllowedError(f"{path} cannot be reached with {method}: use {allowed}")
         case _:
-            rejection = InvalidRequestError(str(error.detail))
-            return answer(request, rejection, error.headers, status=error.status_code)
+            rejection = InvalidRequestError(str(error.detail))  # of the status that the document has for it
     return answer(request, rejection, error.headers)
 
 
