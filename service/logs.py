@@ -34,3 +34,4 @@ def configure_logging(level: str, stream: TextIO = sys.stderr) -> None:
     handler.setFormatter(JsonFormatter())
     logging.basicConfig(level=level.upper(), handlers=[handler], force=True)
     logging.getLogger("uvicorn").setLevel("WARNING")  # what it tells besides, the service tells itself
+    logging.getLogger("python_multipart").setLevel("ERROR")  # what is wrong with a form, its refusal tells

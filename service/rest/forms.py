@@ -4,7 +4,7 @@ from collections.abc import AsyncIterator
 from dataclasses import dataclass
 
 from pydantic.config import JsonDict
-from starlette.datastructures import Headers, UploadFile
+from starlette.datastructures import FormData, Headers, UploadFile
 from starlette.formparsers import MultiPartException, MultiPartParser
 
 from service.codecs.masks import BOX
@@ -47,11 +47,9 @@ async def frame_of(body: bytes, content_type: str, box: str | None) -> SentFrame
         yield body
         yield b""
 
+    parser = MultiPartParser(Headers({"content-type": content_type}), chunks())  # type: ignore[arg-type]
     try:
-        form = await MultiPartParser(Headers({"content-type": content_type}), chunks()).parse()  # type: ignore[arg-type]
-    except (MultiPartException, KeyError, ValueError) as error:
-        raise InvalidRequestError(f"/body: the form cannot be read: {error}") from error
-    try:
+        form = await parsed(parser)
         files = {name: file for name, file in form.multi_items() if isinstance(file, UploadFile)}
         if "cloud" not in files:
             raise InvalidRequestError("/body/cloud: the form lacks the file 'cloud', with its encoding as content type")
@@ -60,7 +58,20 @@ async def frame_of(body: bytes, content_type: str, box: str | None) -> SentFrame
             files["cloud"].content_type or "", payload, await files["mask"].read() if "mask" in files else mask
         )
     finally:
-        await form.close()
+        for file in parser._files_to_close_on_error:  # all there are; by itself it forgets them after some errors
+            file.close()
+
+
+async def parsed(parser: MultiPartParser) -> FormData:
+    """The form.
+
+    Raises:
+        InvalidRequestError: it cannot be read.
+    """
+    try:
+        return await parser.parse()
+    except (MultiPartException, KeyError, ValueError) as error:
+        raise InvalidRequestError(f"/body: the form cannot be read: {error}") from error
 
 
 def packed_box(text: str) -> bytes:
