@@ -13,7 +13,7 @@ TORCH ?= torch==2.13.0
 
 STAMP := $(VENV)/installed-$(RUNTIME)
 
-.PHONY: venv demo serve test lint image bench clean
+.PHONY: venv demo serve test browser lint image bench clean
 
 venv: $(STAMP)
 
@@ -32,8 +32,12 @@ demo: venv
 serve: venv
 	$(BIN)/captra serve $(ARGS)
 
-test: lint
+test: lint browser
 	$(BIN)/python -m pytest $(ARGS)
+
+# A browser that the live page is tested in, where none is: the distribution's (as root), otherwise Playwright's own.
+browser: venv
+	$(BIN)/python -m benchmarks.browser
 
 lint: venv
 	$(BIN)/ruff check .

@@ -9,8 +9,15 @@ const here = dirname(fileURLToPath(import.meta.url));
 const out = join(here, "../service/viewer/static");
 await build({
   entryPoints: { app: join(here, "src/main.ts"), style: join(here, "style.css") },
-  entryNames: "app", assetNames: "[name]", outdir: out, bundle: true, minify: true, format: "esm", target: "es2022",
-  loader: { ".woff2": "file" }, logLevel: "warning",
+  entryNames: "app",
+  assetNames: "[name]",
+  outdir: out,
+  bundle: true,
+  minify: true,
+  format: "esm",
+  target: "es2022",
+  loader: { ".woff2": "file" },
+  logLevel: "warning",
 });
 for (const name of ["index.html", "icon.svg"]) copyFileSync(join(here, name), join(out, name));
 const packages = ["three", "uplot", "@fontsource-variable/inter"];
@@ -20,8 +27,16 @@ const licences = packages.map((name) => {
   return `${name} ${version}\n\n${readFileSync(join(folder, "LICENSE"), "utf8").trim()}\n`;
 });
 writeFileSync(join(out, "LICENSES.txt"), licences.join(`\n${"-".repeat(80)}\n\n`));
-const sources = ["build.mjs", "icon.svg", "index.html", "package-lock.json", "package.json", "style.css", "tsconfig.json",
-  ...readdirSync(join(here, "src")).map((name) => `src/${name}`)].sort();
+const sources = [
+  "build.mjs",
+  "icon.svg",
+  "index.html",
+  "package-lock.json",
+  "package.json",
+  "style.css",
+  "tsconfig.json",
+  ...readdirSync(join(here, "src")).map((name) => `src/${name}`),
+].sort();
 const hash = createHash("sha256");
 for (const name of sources) hash.update(name + "\0").update(readFileSync(join(here, name)));
 writeFileSync(join(out, "sources.sha256"), hash.digest("hex") + "\n");

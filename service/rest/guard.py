@@ -12,8 +12,8 @@ from service.rejections import RejectedError, UnauthorizedError
 from service.rest.problems import answer
 from service.security.access import Gate, Permission
 
-OPEN_PATHS = ("/v1/health/", "/docs", "/openapi.json")
-"""Probes, and what tells how to ask."""
+OPEN_PATHS = ("/v1/health/", "/docs", "/openapi.json", "/viewer/static/")
+"""Probes, and what tells how to ask: documentation, and the live page, which asks for a key itself."""
 READING = {HTTPMethod.GET, HTTPMethod.HEAD, HTTPMethod.OPTIONS}
 POLICY_VIOLATION = 1008
 
@@ -40,7 +40,7 @@ class Guard:
 
 def needed_for(scope: Scope) -> Permission:
     """What a request takes."""
-    if scope["path"].startswith(OPEN_PATHS):
+    if scope["path"] == "/" or scope["path"].startswith(OPEN_PATHS):
         return Permission.NOTHING
     return Permission.READ if scope.get("method", HTTPMethod.GET) in READING else Permission.WRITE
 

@@ -83,9 +83,10 @@ def access_control(service: str, granted: tuple[ZenohAccess, ...]) -> dict[str, 
         rule("listen", "ingress", READING, everything),
         rule("hear", "egress", ANSWERS, everything),
         rule("feed", "ingress", ["put"], f"{session}/cloud"),
+        rule("preview", "ingress", ["put"], f"captra/{service}/previews/*"),
         rule("live", "ingress", ["liveliness_token"], f"{session}/client"),
     ]
-    allowed = {"watch": ["listen", "hear"], "stream": ["listen", "hear", "feed", "live"]}
+    allowed = {"watch": ["listen", "hear"], "stream": ["listen", "hear", "feed", "preview", "live"]}
     subjects = [{"id": each.common_name, "cert_common_names": [each.common_name]} for each in granted]
     policies = [{"rules": allowed[each.may], "subjects": [each.common_name]} for each in granted]
     return {

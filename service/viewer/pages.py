@@ -15,7 +15,7 @@ HEADERS = {
 
 
 def install(app: FastAPI, recordings_dir: Path) -> None:
-    """Serve the page at `/` and what it needs below `/viewer`."""
+    """Serve the page at `/` and what it needs below `/viewer`; only recordings tell anything of this service."""
 
     @app.get("/", include_in_schema=False)
     async def page() -> FileResponse:
@@ -27,4 +27,4 @@ def install(app: FastAPI, recordings_dir: Path) -> None:
         return [{"name": path.stem, "bytes": path.stat().st_size} for path in files]
 
     app.mount("/viewer/recordings", StaticFiles(directory=recordings_dir, check_dir=False))
-    app.mount("/viewer", StaticFiles(directory=STATIC))
+    app.mount("/viewer/static", StaticFiles(directory=STATIC))

@@ -3,6 +3,7 @@
 import threading
 from collections.abc import Callable
 from contextlib import ExitStack
+from dataclasses import dataclass, replace
 
 from service.envelopes import Envelope
 from service.rejections import UnknownSessionError
@@ -12,6 +13,20 @@ MOST_PREVIEWS = 16
 """Names that are remembered; further ones are not listed."""
 
 Take = Callable[[Envelope], None]
+
+
+@dataclass(frozen=True)
+class Fed:
+    """A session that tracks a preview."""
+
+    session_id: str
+    """Its name."""
+    secret: bytes
+    """What its clouds' attachments end with; nothing where anybody may put clouds."""
+
+    def sealed(self, envelope: Envelope) -> Envelope:
+        """A cloud as the session takes it."""
+        return replace(envelope, attachment=(envelope.attachment or b"") + self.secret or None)
 
 
 class Previews:
@@ -27,7 +42,7 @@ class Previews:
         self._viewers = 0
         self._newest: dict[str, Envelope] = {}
         self._listeners: dict[str, tuple[Take, ...]] = {}
-        self._fed: dict[str, tuple[str, ...]] = {}
+        self._fed: dict[str, tuple[Fed, ...]] = {}
 
     def names(self) -> list[str]:
         """Previews that clouds came from."""
@@ -58,7 +73,7 @@ class Previews:
         with self._lock:
             self._listeners[name] = tuple(each for each in self._listeners.get(name, ()) if each != take)
 
-    def feed(self, name: str, session_id: str) -> None:
+    def feed(self, name: str, session_id: str, secret: bytes) -> None:
         """Put every further cloud of a preview on a session's key too, until the session is closed.
 
         Raises:
@@ -66,7 +81,7 @@ class Previews:
         """
         self._service.registry.get(session_id)
         with self._lock:
-            self._fed[name] = (*self._fed.get(name, ()), session_id)
+            self._fed[name] = (*self._fed.get(name, ()), Fed(session_id, secret))
             self._adjust()
 
     def _adjust(self) -> None:
@@ -86,14 +101,15 @@ class Previews:
             listeners, fed = self._listeners.get(name, ()), self._fed.get(name, ())
         for take in listeners:
             take(envelope)
-        for session_id in fed:
-            self._forward(name, session_id, envelope)
+        for each in fed:
+            self._forward(name, each, envelope)
 
-    def _forward(self, name: str, session_id: str, envelope: Envelope) -> None:
+    def _forward(self, name: str, fed: Fed, envelope: Envelope) -> None:
         try:
-            self._service.registry.get(session_id)
+            self._service.registry.get(fed.session_id)
         except UnknownSessionError:
             with self._lock:
-                self._fed[name] = tuple(each for each in self._fed[name] if each != session_id)
+                self._fed[name] = tuple(each for each in self._fed[name] if each != fed)
             return
-        self._service.transport.put(self._service.transport.keys(session_id).cloud, envelope)
+        key = self._service.transport.keys(fed.session_id).cloud
+        self._service.transport.put(key, fed.sealed(envelope))

@@ -12,7 +12,8 @@ from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 from starlette.websockets import WebSocketDisconnect
 
 from service.codecs import build_codecs
-from service.rejections import RejectedError
+from service.rejections import ForbiddenError, RejectedError
+from service.security.access import Caller, Permission
 from service.tracking_service import TrackingService
 from service.viewer.clouds import encode
 from service.viewer.outbox import Outbox
@@ -41,13 +42,14 @@ class Look(BaseModel):
 
 
 class Feed(BaseModel):
-    """Let a preview's clouds be tracked by a session."""
+    """Let a preview's clouds be tracked by a session, whose secret whoever opened it knows."""
 
     model_config = ConfigDict(extra="forbid")
 
     type: Literal["feed"]
     session: Name
     preview: Name
+    secret: Annotated[str, Field(pattern=r"^([0-9a-f]{2})*$", max_length=100)] | None = None
 
 
 WISHES: TypeAdapter[Look | Feed] = TypeAdapter(Annotated[Look | Feed, Field(discriminator="type")])
@@ -122,7 +124,7 @@ class Viewer:
 
     def _heed(self, wish: Look | Feed) -> None:
         if isinstance(wish, Feed):
-            self._previews.feed(wish.preview, wish.session)
+            self._feed(wish)
             return
         self._watch.end()
         self._watch = NothingWatched()
@@ -133,6 +135,12 @@ class Viewer:
             settings = self._service.settings
             codecs = build_codecs(settings.max_points, settings.max_payload_bytes)
             self._watch = PreviewWatch(wish.preview, self._previews, codecs, self._outbox)
+
+    def _feed(self, wish: Feed) -> None:
+        caller: Caller = self._websocket.state.caller
+        if caller.may < Permission.WRITE:
+            raise ForbiddenError(f"{caller.name} may watch only: use a key or token that may write")
+        self._previews.feed(wish.preview, wish.session, bytes.fromhex(wish.secret or ""))
 
     async def _send_text(self, message: bytes) -> None:
         await self._websocket.send_text(message.decode())

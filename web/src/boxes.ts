@@ -1,5 +1,5 @@
 // Boxes, axes and names of an object's parts.
-import { BoxGeometry, Group, Matrix4, Mesh, MeshBasicMaterial, Quaternion, Vector3 } from "three";
+import { BoxGeometry, Color, Group, Matrix4, Mesh, MeshBasicMaterial, Quaternion, Vector3 } from "three";
 import { CSS2DObject } from "three/addons/renderers/CSS2DRenderer.js";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
@@ -7,14 +7,22 @@ import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js
 import type { Part, Vec3 } from "./types";
 
 const SIGNS: Vec3[] = [-0.5, 0.5].flatMap((x) => [-0.5, 0.5].flatMap((y) => [-0.5, 0.5].map((z) => [x, y, z] as Vec3)));
-const EDGES = SIGNS.flatMap((a, i) => SIGNS.slice(i + 1).filter((b) => a.filter((v, k) => v !== b[k]).length === 1).flatMap((b) => [...a, ...b]));
-const AXIS_COLOURS = [0.94, 0.42, 0.42, 0.94, 0.42, 0.42, 0.5, 0.85, 0.45, 0.5, 0.85, 0.45, 0.42, 0.6, 0.98, 0.42, 0.6, 0.98];
+const EDGES = SIGNS.flatMap((a, i) =>
+  SIGNS.slice(i + 1)
+    .filter((b) => a.filter((v, k) => v !== b[k]).length === 1)
+    .flatMap((b) => [...a, ...b]),
+);
+const AXIS_COLOURS = ["#ff5a5f", "#5fe07a", "#5b9dff"].flatMap((hex) => [...new Color(hex), ...new Color(hex)]);
 const EDGE_GEOMETRY = new LineSegmentsGeometry().setPositions(EDGES);
-const AXIS_GEOMETRY = new LineSegmentsGeometry().setPositions([0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1]).setColors(AXIS_COLOURS);
+const AXIS_GEOMETRY = new LineSegmentsGeometry()
+  .setPositions([0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1])
+  .setColors(AXIS_COLOURS);
 const CUBE = new BoxGeometry(1, 1, 1);
 
-export const matrixOf = (part: Part): Matrix4 => new Matrix4().compose(new Vector3(...part.translation), new Quaternion(...part.quat_xyzw), new Vector3(...part.size));
-export const cornersOf = (part: Part): Vector3[] => SIGNS.map((sign) => new Vector3(...sign).applyMatrix4(matrixOf(part)));
+export const matrixOf = (part: Part): Matrix4 =>
+  new Matrix4().compose(new Vector3(...part.translation), new Quaternion(...part.quat_xyzw), new Vector3(...part.size));
+export const cornersOf = (part: Part): Vector3[] =>
+  SIGNS.map((sign) => new Vector3(...sign).applyMatrix4(matrixOf(part)));
 
 class PartBox {
   readonly group = new Group();
@@ -22,12 +30,22 @@ class PartBox {
   private ghost = new LineMaterial({ linewidth: 1.6, transparent: true, opacity: 0.35, depthTest: false });
   private fill = new MeshBasicMaterial({ transparent: true, opacity: 0.07, depthWrite: false });
   private box = new Group();
-  private axes = new LineSegments2(AXIS_GEOMETRY, new LineMaterial({ linewidth: 3, vertexColors: true, depthTest: false, transparent: true }));
+  private axes = new LineSegments2(
+    AXIS_GEOMETRY,
+    new LineMaterial({ linewidth: 3, vertexColors: true, depthTest: false, transparent: true }),
+  );
   private tag: HTMLElement;
 
   constructor(name: string) {
-    this.box.add(new LineSegments2(EDGE_GEOMETRY, this.edges), new LineSegments2(EDGE_GEOMETRY, this.ghost), new Mesh(CUBE, this.fill));
-    this.tag = Object.assign(document.createElement("div"), { className: "tag", textContent: name.replaceAll("_", " ") });
+    this.box.add(
+      new LineSegments2(EDGE_GEOMETRY, this.edges),
+      new LineSegments2(EDGE_GEOMETRY, this.ghost),
+      new Mesh(CUBE, this.fill),
+    );
+    this.tag = Object.assign(document.createElement("div"), {
+      className: "tag",
+      textContent: name.replaceAll("_", " "),
+    });
     const label = new CSS2DObject(this.tag);
     label.position.set(0, 0.5, 0);
     label.center.set(0.5, 1.3);
@@ -44,7 +62,10 @@ class PartBox {
     this.tag.style.setProperty("--state", colour);
   }
 
-  remove(): void { this.tag.remove(); this.group.removeFromParent(); }
+  remove(): void {
+    this.tag.remove();
+    this.group.removeFromParent();
+  }
 }
 
 export class ObjectBoxes {

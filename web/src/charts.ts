@@ -1,50 +1,128 @@
-// Confidence and latency over time.
+// Confidence and latency over time, with a strip of the states below the confidence.
 import uPlot from "uplot";
-import { COLOURS, type Result } from "./types";
+import { LONGEST_S, empty, now, type Series } from "./history";
+import { COLOURS } from "./types";
 
-const SECONDS = 60;
-interface Series { times: number[]; confidence: number[]; latency: number[] }
+const SHORTEST_S = 8;
+const HEIGHT = 112;
+const STRIP = 4;
+const LATENCY = "#7aa2f7";
+const FONT = "11px 'Inter Variable', sans-serif";
+const STEPS_S = [1, 2, 5, 10, 15];
+
+interface Look {
+  stroke: string;
+  range: uPlot.Range.Function | [number, number];
+  label: (value: number) => string;
+  strip: boolean;
+}
 
 export class Charts {
-  private histories = new Map<string, Series>();
-  private start = performance.now();
-  private plots: uPlot[];
-  private shown: Series = { times: [], confidence: [], latency: [] };
+  private series = empty();
+  private drawing = false;
+  private plots: {
+    plot: uPlot;
+    place: HTMLElement;
+    values: "confidence" | "latency";
+    now: HTMLElement;
+    unit: string;
+  }[];
 
-  constructor(private now: { confidence: HTMLElement; latency: HTMLElement }, private places: [HTMLElement, HTMLElement]) {
-    this.plots = [
-      this.plot(places[0], COLOURS.tracking, [0, 1], (v) => v.toFixed(1)),
-      this.plot(places[1], COLOURS.recovering, null, (v) => `${v} ms`),
-    ];
-    new ResizeObserver(() => this.plots.forEach((plot, i) => plot.setSize({ width: this.places[i].clientWidth, height: 106 }))).observe(places[0]);
+  constructor(element: (id: string) => HTMLElement) {
+    const fraction: Look = { stroke: COLOURS.tracking, range: [0, 1], label: (v) => v.toFixed(1), strip: true };
+    const milliseconds: Look = {
+      stroke: LATENCY,
+      range: (_, __, most) => [0, Math.max(20, 1.15 * (most ?? 0))],
+      label: (v) => `${v} ms`,
+      strip: false,
+    };
+    const place = (values: "confidence" | "latency", look: Look, unit: string) => ({
+      plot: this.plot(element(values), look),
+      place: element(values),
+      values,
+      now: element(`${values}-now`),
+      unit,
+    });
+    this.plots = [place("confidence", fraction, ""), place("latency", milliseconds, " ms")];
+    const sized = new ResizeObserver(() => {
+      for (const { plot, place } of this.plots) plot.setSize({ width: place.clientWidth, height: HEIGHT });
+    });
+    for (const each of this.plots) sized.observe(each.place);
   }
 
-  add(result: Result): void {
-    if (result.seq === null) return;
-    const series = this.histories.get(result.session_id) ?? { times: [], confidence: [], latency: [] };
-    this.histories.set(result.session_id, series);
-    series.times.push((performance.now() - this.start) / 1000);
-    series.confidence.push(result.confidence);
-    series.latency.push(result.timing_ms.total);
-    while (series.times[0] < series.times[series.times.length - 1] - SECONDS) for (const each of Object.values(series)) each.shift();
+  show(series: Series): void {
+    this.series = series;
+    if (this.drawing) return;
+    this.drawing = true;
+    requestAnimationFrame(() => {
+      this.drawing = false;
+      for (const { plot, values, now, unit } of this.plots) {
+        const last = this.series[values].at(-1);
+        now.textContent = last === undefined ? "–" : last.toFixed(unit === "" ? 2 : 0) + unit;
+        plot.setData([this.series.times, this.series[values]]);
+      }
+    });
   }
 
-  show(session: string | null): void {
-    this.shown = (session !== null && this.histories.get(session)) || { times: [], confidence: [], latency: [] };
-    const { times, confidence, latency } = this.shown;
-    this.now.confidence.textContent = confidence.length ? confidence[confidence.length - 1].toFixed(2) : "–";
-    this.now.latency.textContent = latency.length ? `${latency[latency.length - 1].toFixed(0)} ms` : "–";
-    this.plots[0].setData([times, confidence]);
-    this.plots[1].setData([times, latency]);
+  // From the first of what is remembered, at least a few seconds, at most all.
+  private window = (): [number, number] => {
+    const end = this.series.times.at(-1) ?? now();
+    const seconds = end - (this.series.times[0] ?? end);
+    return [end - Math.min(LONGEST_S, Math.max(SHORTEST_S, seconds)), end];
+  };
+
+  private plot(place: HTMLElement, look: Look): uPlot {
+    const axis: uPlot.Axis = {
+      stroke: "#9aa7b8",
+      grid: { stroke: "#202a35", width: 1 },
+      ticks: { show: false },
+      font: FONT,
+    };
+    const options: uPlot.Options = {
+      width: Math.max(100, place.clientWidth),
+      height: HEIGHT,
+      legend: { show: false },
+      cursor: { show: false },
+      padding: [8, 18, 0, 0],
+      scales: { x: { time: false, range: this.window }, y: { range: look.range } },
+      axes: [
+        {
+          ...axis,
+          size: 24,
+          gap: 7,
+          splits: (_, __, from, to) => ages(to - from).map((age) => to - age),
+          values: (plot, splits) => splits.map((v) => age(plot, v)),
+        },
+        { ...axis, size: 52, space: 30, values: (_, splits) => splits.map(look.label) },
+      ],
+      series: [{}, { stroke: look.stroke, width: 1.6, fill: `${look.stroke}1c`, points: { show: false } }],
+      hooks: look.strip ? { draw: [(plot) => this.strip(plot)] } : {},
+    };
+    return new uPlot(options, [[], []], place);
   }
 
-  private plot(place: HTMLElement, stroke: string, range: [number, number] | null, label: (v: number) => string): uPlot {
-    const axis = { stroke: "#8a97a8", grid: { stroke: "#202a35", width: 1 }, ticks: { show: false }, font: "11px 'Inter Variable', sans-serif" };
-    return new uPlot({
-      width: Math.max(100, place.clientWidth), height: 106, legend: { show: false }, cursor: { show: false }, padding: [10, 8, 0, 0],
-      scales: { x: { time: false, range: () => { const end = (performance.now() - this.start) / 1000; return [end - SECONDS, end]; } }, y: { range: range ?? ((_, __, max) => [0, Math.max(20, 1.15 * (max ?? 0))]) } },
-      axes: [{ ...axis, size: 22, splits: (_, __, ___, end) => [-45, -30, -15].map((v) => end + v), values: () => ["−45 s", "−30 s", "−15 s"] }, { ...axis, size: 50, space: 30, values: (_, splits) => splits.map(label) }],
-      series: [{}, { stroke, width: 1.6, fill: `${stroke}18`, points: { show: false } }],
-    }, [[], []], place);
+  private strip({ ctx, bbox, valToPos }: uPlot): void {
+    const { times, states } = this.series;
+    const height = STRIP * devicePixelRatio;
+    for (let i = 1; i < times.length; i++) {
+      const [from, to] = [valToPos(times[i - 1], "x", true), valToPos(times[i], "x", true)];
+      ctx.fillStyle = COLOURS[states[i]];
+      ctx.fillRect(
+        Math.max(bbox.left, from),
+        bbox.top + bbox.height,
+        Math.max(1, to - Math.max(bbox.left, from)),
+        height,
+      );
+    }
   }
+}
+
+const age = (plot: uPlot, value: number): string => {
+  const seconds = Math.round((plot.scales.x.max ?? value) - value);
+  return seconds === 0 ? "now" : `−${seconds} s`;
+};
+
+function ages(seconds: number): number[] {
+  const step = STEPS_S.find((each) => seconds / each <= 6) ?? STEPS_S[STEPS_S.length - 1];
+  return Array.from({ length: Math.floor(seconds / step + 1e-6) + 1 }, (_, i) => i * step).reverse();
 }

@@ -8,6 +8,8 @@ import typical from "./typical_boxes.json";
 
 export type Mode = "translate" | "rotate" | "scale";
 export const WHOLE = -1;
+const SMALLEST = 1e-3; // metres
+const SMALLEST_STRETCH = 0.05;
 const Y_UP = { camera: new Quaternion(1, 0, 0, 0), robot: new Quaternion(Math.SQRT1_2, 0, 0, Math.SQRT1_2) };
 
 export class Placing {
@@ -16,22 +18,35 @@ export class Placing {
   selected = WHOLE;
   private pivot = new Object3D();
   private gizmo: TransformControls;
-  private before = new Matrix4();
+  private from: { parts: Part[]; inverse: Matrix4 } = { parts: [], inverse: new Matrix4() };
 
-  constructor(private view: View, canvas: HTMLElement, private changed: () => void) {
+  constructor(
+    private view: View,
+    canvas: HTMLElement,
+    private changed: () => void,
+  ) {
     this.gizmo = new TransformControls(view.camera, canvas);
     this.gizmo.setSpace("local");
     this.gizmo.setSize(0.85);
-    this.gizmo.addEventListener("dragging-changed", ({ value }) => { view.controls.enabled = !value; if (!value) this.attach(); });
+    this.gizmo.addEventListener("dragging-changed", ({ value }) => {
+      view.controls.enabled = !value;
+      if (!value) this.attach();
+    });
     this.gizmo.addEventListener("change", view.draw);
     this.gizmo.addEventListener("objectChange", () => this.moved());
     view.extras.add(this.pivot, this.gizmo.getHelper());
     this.gizmo.enabled = this.gizmo.getHelper().visible = view.placing.group.visible = false;
   }
 
-  get active(): boolean { return this.category !== null; }
-  get mode(): Mode { return this.gizmo.mode as Mode; }
-  get grabbed(): boolean { return this.gizmo.dragging || this.gizmo.axis !== null; }
+  get active(): boolean {
+    return this.category !== null;
+  }
+  get mode(): Mode {
+    return this.gizmo.mode as Mode;
+  }
+  get grabbed(): boolean {
+    return this.gizmo.dragging || this.gizmo.axis !== null;
+  }
 
   start(category: Category, parts: Part[]): void {
     this.category = category;
@@ -49,8 +64,15 @@ export class Placing {
     this.view.draw();
   }
 
-  setMode(mode: Mode): void { this.gizmo.setMode(mode); this.changed(); this.view.draw(); }
-  select(part: number): void { this.selected = part; this.attach(); }
+  setMode(mode: Mode): void {
+    this.gizmo.setMode(mode);
+    this.changed();
+    this.view.draw();
+  }
+  select(part: number): void {
+    this.selected = part;
+    this.attach();
+  }
 
   // The object's centre, and so all its parts, to a place in the cloud.
   moveTo(place: Vector3): void {
@@ -66,39 +88,48 @@ export class Placing {
   }
 
   private centre(): Vector3 {
-    return this.parts.reduce((sum, part) => sum.add(new Vector3(...part.translation)), new Vector3()).divideScalar(this.parts.length);
+    return this.parts
+      .reduce((sum, part) => sum.add(new Vector3(...part.translation)), new Vector3())
+      .divideScalar(this.parts.length);
   }
 
+  // The gizmo is put on what is selected; what it does from now on counts from here.
   private attach(): void {
     const part = this.parts[Math.max(0, this.selected)];
     this.pivot.position.copy(this.selected === WHOLE ? this.centre() : new Vector3(...part.translation));
     this.pivot.quaternion.fromArray(part.quat_xyzw);
     this.pivot.scale.setScalar(1);
     this.pivot.updateMatrix();
-    this.before.copy(this.pivot.matrix);
+    this.from = { parts: structuredClone(this.parts), inverse: this.pivot.matrix.clone().invert() };
     this.show();
   }
 
   private moved(): void {
-    const { position, quaternion, scale } = this.pivot;
-    if (this.selected === WHOLE) {
-      const stretch = [scale.x, scale.y, scale.z].reduce((a, b) => (Math.abs(b - 1) > Math.abs(a - 1) ? b : a));
-      const change = new Matrix4().compose(position, quaternion, new Vector3().setScalar(Math.max(0.05, stretch))).multiply(this.before.clone().invert());
-      this.parts.forEach((part) => {
-        const [t, q, s] = [new Vector3(), new Quaternion(), new Vector3()];
-        change.clone().multiply(matrixOf(part)).decompose(t, q, s);
-        Object.assign(part, { translation: t.toArray(), quat_xyzw: q.normalize().toArray(), size: s.toArray().map(Math.abs) });
-      });
-    } else {
-      const part = this.parts[this.selected];
-      part.translation = position.toArray() as Vec3;
-      part.quat_xyzw = quaternion.clone().normalize().toArray() as Vec4;
-      part.size = part.size.map((v, axis) => Math.max(1e-3, v * Math.abs(scale.getComponent(axis)))) as Vec3;
-    }
-    if (this.mode === "scale") this.pivot.scale.setScalar(1);
-    this.pivot.updateMatrix();
-    this.before.copy(this.pivot.matrix);
+    if (this.selected === WHOLE) this.moveAll();
+    else this.moveOne(this.parts[this.selected], this.from.parts[this.selected]);
     this.show();
+  }
+
+  private moveOne(part: Part, before: Part): void {
+    const { position, quaternion, scale } = this.pivot;
+    part.translation = position.toArray() as Vec3;
+    part.quat_xyzw = quaternion.clone().normalize().toArray() as Vec4;
+    part.size = before.size.map((v, axis) => Math.max(SMALLEST, v * Math.abs(scale.getComponent(axis)))) as Vec3;
+  }
+
+  // All parts keep their shape: whichever axis is pulled, they grow alike.
+  private moveAll(): void {
+    const { position, quaternion, scale } = this.pivot;
+    const stretch = scale.toArray().reduce((a, b) => (Math.abs(b - 1) > Math.abs(a - 1) ? b : a));
+    const alike = new Vector3().setScalar(Math.max(SMALLEST_STRETCH, stretch));
+    const change = new Matrix4().compose(position, quaternion, alike).multiply(this.from.inverse);
+    this.parts.forEach((part, i) => {
+      const [t, q, s] = [new Vector3(), new Quaternion(), new Vector3()];
+      change.clone().multiply(matrixOf(this.from.parts[i])).decompose(t, q, s);
+      part.translation = t.toArray() as Vec3;
+      part.quat_xyzw = q.normalize().toArray() as Vec4;
+      part.size = s.toArray().map(Math.abs) as Vec3;
+    });
   }
 
   private show(): void {
@@ -111,7 +142,9 @@ export class Placing {
 export function typicalParts(category: Category, centre: Vector3, up: "camera" | "robot"): Part[] {
   const boxes = (typical as unknown as Record<string, { translation: Vec3; size: Vec3 }[]>)[category.name];
   return category.parts.map((name, i) => ({
-    name, size: [...boxes[i].size], quat_xyzw: Y_UP[up].toArray() as Vec4,
+    name,
+    size: [...boxes[i].size],
+    quat_xyzw: Y_UP[up].toArray() as Vec4,
     translation: new Vector3(...boxes[i].translation).applyQuaternion(Y_UP[up]).add(centre).toArray() as Vec3,
   }));
 }

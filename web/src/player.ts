@@ -1,39 +1,69 @@
 // Plays a recording into a session at the pace of its stamps, every cloud in turn; slower where the service is.
-import * as rest from "./rest";
+import { Refusal, type Rest } from "./rest";
 import type { Recording } from "./recording";
 
 export class Player {
   playing = false;
   frame = 0;
+  session: string | null = null;
   private seq = 0;
 
-  constructor(readonly recording: Recording, public session: string | null, private changed: () => void, private failed: (error: Error) => void) {}
+  constructor(
+    private rest: Rest,
+    readonly recording: Recording,
+    private changed: () => void,
+    private failed: (error: unknown) => void,
+  ) {}
 
-  get ended(): boolean { return this.frame >= this.recording.clouds.length - 1; }
+  get ended(): boolean {
+    return this.frame >= this.recording.clouds.length - 1;
+  }
 
   async play(): Promise<void> {
-    const { stamps, clouds } = this.recording;
-    if (this.playing || this.session === null) return;
+    const { stamps } = this.recording;
+    if (this.playing) return;
     this.playing = true;
-    while (this.playing && this.frame < clouds.length && this.session !== null) {
-      const session: string = this.session;
+    while (this.playing && this.session !== null) {
       this.changed();
       const sent = performance.now();
-      try {
-        await rest.postFrame(session, this.seq++, stamps[this.frame], clouds[this.frame]);
-      } catch (error) {
-        if ((error as { reason?: string }).reason === "unknown-session") this.session = null;
-        if ((error as { reason?: string }).reason !== "no-points-near-object") { this.failed(error as Error); break; }
-      }
-      if (this.ended) break;
+      if (!(await this.send(this.session)) || this.ended) break;
       this.frame++;
       const interval = Number(stamps[this.frame] - stamps[this.frame - 1]) / 1e6;
       await new Promise((done) => setTimeout(done, Math.max(0, interval - (performance.now() - sent))));
     }
+    this.pause();
+  }
+
+  pause(): void {
     this.playing = false;
     this.changed();
   }
 
-  pause(): void { this.playing = false; this.changed(); }
-  restarted(): void { this.seq = 0; }
+  // To the beginning, from where the object was then.
+  async rewind(): Promise<void> {
+    if (this.session === null) return;
+    await this.rest.reset(this.session, this.recording.init);
+    this.restarted();
+    this.frame = 0;
+  }
+
+  // The session was re-initialised: it counts from zero again.
+  restarted(): void {
+    this.seq = 0;
+  }
+
+  // Whether it goes on.
+  private async send(session: string): Promise<boolean> {
+    const { stamps, clouds } = this.recording;
+    try {
+      await this.rest.postFrame(session, this.seq++, stamps[this.frame], clouds[this.frame]);
+    } catch (error) {
+      const reason = error instanceof Refusal ? error.reason : undefined;
+      if (reason === "no-points-near-object") return true;
+      if (reason === "unknown-session") this.session = null;
+      this.failed(error);
+      return false;
+    }
+    return true;
+  }
 }

@@ -10,7 +10,10 @@ import { PointCloud } from "./cloud";
 
 export type Up = "camera" | "robot";
 const UPS: Record<Up, Vector3> = { camera: new Vector3(0, -1, 0), robot: new Vector3(0, 0, 1) };
-const TRAIL = 300, REACH_PX = 14;
+const TRAIL = 300,
+  REACH_PX = 14;
+
+const TRAIL_COLOUR = [...new Color("#ffd166")];
 
 export class View {
   readonly camera = new PerspectiveCamera(48, 1, 0.01, 100);
@@ -22,13 +25,19 @@ export class View {
   controls: OrbitControls;
   readonly renderer: WebGLRenderer;
   private labels: CSS2DRenderer;
-  private trail = new Line2(new LineGeometry(), new LineMaterial({ linewidth: 2, transparent: true, opacity: 0.85, vertexColors: true }));
+  private trail = new Line2(
+    new LineGeometry(),
+    new LineMaterial({ linewidth: 2.5, vertexColors: true, depthTest: false, transparent: true }),
+  );
   private trailPoints: Vector3[] = [];
   private pending = false;
   private framed = false;
   up: Up = "camera";
 
-  constructor(private canvas: HTMLCanvasElement, labels: HTMLElement) {
+  constructor(
+    private canvas: HTMLCanvasElement,
+    labels: HTMLElement,
+  ) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
     this.labels = new CSS2DRenderer({ element: labels });
     this.scene.background = new Color("#0d1117");
@@ -47,7 +56,6 @@ export class View {
       this.pending = false;
       const lit = this.placing.group.visible ? this.placing : this.object;
       this.cloud.light(lit.group.visible ? lit.parts.map(matrixOf) : [], lit.colour, this.canvas.height);
-      this.cloud.points.material.uniforms.size.value *= 1.5;
       this.renderer.render(this.scene, this.camera);
       this.labels.render(this.scene, this.camera);
     });
@@ -68,14 +76,21 @@ export class View {
     this.lookAt(middle, middle.length() * 0.72);
   }
 
-  frameAgain(): void { this.framed = false; }
+  frameAgain(): void {
+    this.framed = false;
+  }
 
   lookAt(target: Vector3, distance: number): void {
-    const up = UPS[this.up], towards = target.clone().projectOnPlane(up);
+    const up = UPS[this.up],
+      towards = target.clone().projectOnPlane(up);
     if (towards.lengthSq() < 1e-6) towards.set(0, 0, 1);
-    this.camera.position.copy(target).addScaledVector(towards.normalize(), -distance * 0.93).addScaledVector(up, distance * 0.32);
+    this.camera.position
+      .copy(target)
+      .addScaledVector(towards.normalize(), -distance * 0.93)
+      .addScaledVector(up, distance * 0.32);
     this.controls.target.copy(target);
     this.controls.update();
+    this.camera.updateMatrixWorld();
     this.draw();
   }
 
@@ -85,16 +100,22 @@ export class View {
     this.trailPoints.push(centre);
     if (this.trailPoints.length > TRAIL) this.trailPoints.shift();
     if (this.trailPoints.length < 2) return;
-    const geometry = new LineGeometry(), n = this.trailPoints.length;
+    const geometry = new LineGeometry(),
+      n = this.trailPoints.length;
     geometry.setPositions(this.trailPoints.flatMap((p) => p.toArray()));
-    geometry.setColors(this.trailPoints.flatMap((_, i) => [0.2 + 0.55 * (i / n), 0.25 + 0.55 * (i / n), 0.35 + 0.6 * (i / n)]));
+    geometry.setColors(this.trailPoints.flatMap((_, i) => TRAIL_COLOUR.map((v) => v * (0.15 + (0.85 * i) / n))));
     this.trail.geometry.dispose();
     this.trail.geometry = geometry;
     this.trail.visible = true;
   }
 
-  forgetTrail(): void { this.trailPoints = []; this.trail.visible = false; }
-  get trailLength(): number { return this.trailPoints.length; }
+  forgetTrail(): void {
+    this.trailPoints = [];
+    this.trail.visible = false;
+  }
+  get trailLength(): number {
+    return this.trailPoints.length;
+  }
 
   // CSS pixels within the canvas.
   project(point: Vector3): [number, number] {
@@ -103,12 +124,18 @@ export class View {
   }
 
   pick(x: number, y: number): Vector3 | null {
-    const p = new Vector3(), best = new Vector3();
+    const p = new Vector3(),
+      best = new Vector3();
     let nearest = Infinity;
+    this.camera.updateMatrixWorld();
     for (let i = 0; i < this.cloud.count; i++) {
-      const [u, v] = this.project(this.cloud.at(i, p)), off = Math.hypot(u - x, v - y);
+      const [u, v] = this.project(this.cloud.at(i, p)),
+        off = Math.hypot(u - x, v - y);
       const cost = p.distanceTo(this.camera.position) + 0.02 * off;
-      if (off < REACH_PX && cost < nearest) { nearest = cost; best.copy(p); }
+      if (off < REACH_PX && cost < nearest) {
+        nearest = cost;
+        best.copy(p);
+      }
     }
     return nearest < Infinity ? best : null;
   }

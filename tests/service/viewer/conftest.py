@@ -1,49 +1,55 @@
-"""A real browser for the live page: Debian's Chromium, or whatever CAPTRA_CHROMIUM names, drawing in software."""
+"""A real browser for the live page."""
 
-import os
-import shutil
-import time
 from collections.abc import Callable, Iterator
-from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Page, sync_playwright
+from playwright.sync_api import Browser, Page
 
+from benchmarks.browser import NoBrowserError, chromium
 from tests.service.support import Running
 
-ARGUMENTS = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox"]
-WITHIN_S = 20.0
+WITHIN_MS = 20_000
 
 
 @pytest.fixture(scope="session")
 def browser() -> Iterator[Browser]:
-    names = (os.environ.get("CAPTRA_CHROMIUM", ""), "chromium", "chromium-browser", "google-chrome")
-    found = next((path for name in names if name and (path := shutil.which(name))), None)
-    assert found, "the live page is tested in a browser: apt-get install chromium, or set CAPTRA_CHROMIUM to one"
-    with sync_playwright() as playwright:
-        launched = playwright.chromium.launch(executable_path=found, args=ARGUMENTS)
-        yield launched
-        launched.close()
+    try:
+        with chromium() as launched:
+            yield launched
+    except NoBrowserError as error:
+        pytest.skip(str(error))
 
 
 @pytest.fixture
-def page(browser: Browser, service: Running) -> Iterator[Page]:
-    opened = browser.new_page(viewport={"width": 1280, "height": 800})
+def visit(browser: Browser) -> Iterator[Callable[..., Page]]:
+    """Opens a page; whatever goes wrong in its scripts fails the test, but for answers that are expected."""
+    opened: list[Page] = []
     complaints: list[str] = []
-    opened.on("pageerror", lambda error: complaints.append(str(error)))
-    opened.on("console", lambda message: complaints.append(message.text) if message.type == "error" else None)
-    opened.goto(str(service.http.base_url))
-    opened.wait_for_selector("#link.live", timeout=1e3 * WITHIN_S)
-    yield opened
-    opened.close()
+
+    def open_page(url: str, expected: str = "", prepare: Callable[[Page], object] = lambda page: None) -> Page:
+        page = browser.new_page(viewport={"width": 1280, "height": 800})
+        page.on("pageerror", lambda error: complaints.append(str(error)))
+        page.on(
+            "console",
+            lambda message: (
+                complaints.append(message.text)
+                if message.type == "error" and not (expected and expected in message.text)
+                else None
+            ),
+        )
+        prepare(page)
+        page.goto(url)
+        opened.append(page)
+        return page
+
+    yield open_page
+    for page in opened:
+        page.close()
     assert complaints == []
 
 
-def until(page: Page, expression: str, meanwhile: Callable[[], object] = lambda: None) -> Any:
-    """The value of an expression on the page, once it is true there."""
-    deadline = time.monotonic() + WITHIN_S
-    while not (value := page.evaluate(expression)):
-        assert time.monotonic() < deadline, f"never became true: {expression}"
-        meanwhile()
-        page.wait_for_timeout(50)
-    return value
+@pytest.fixture
+def page(visit: Callable[..., Page], service: Running) -> Page:
+    opened = visit(str(service.http.base_url))
+    opened.wait_for_selector("#link.live", timeout=WITHIN_MS)
+    return opened

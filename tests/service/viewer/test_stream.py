@@ -1,0 +1,131 @@
+"""The websocket of the live page, without a browser."""
+
+import json
+import struct
+import time
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from websockets.exceptions import ConnectionClosed
+from websockets.sync.client import ClientConnection, connect
+from websockets.typing import Origin
+
+from service.viewer.clouds import MOST_POINTS
+from tests.service.support import Running, f32
+from tests.service.viewer.looking import scene
+
+
+def stream_of(service: Running) -> str:
+    return str(service.http.base_url).replace("http", "ws") + "/viewer/stream"
+
+
+@pytest.fixture
+def viewer(service: Running) -> Iterator[ClientConnection]:
+    with connect(stream_of(service), max_size=None) as socket:
+        yield socket
+
+
+def message(viewer: ClientConnection, kind: str) -> dict[str, Any]:
+    """The next message of a kind, with the points of a cloud."""
+    while True:
+        received = viewer.recv(10)
+        if isinstance(received, str):
+            body: dict[str, Any] = json.loads(received)
+        else:
+            (length,) = struct.unpack_from("<I", received)
+            body = json.loads(received[4 : 4 + length])
+            quantized = np.frombuffer(received, "<u2", offset=4 + length).reshape(-1, 3)
+            body["points"] = np.array(body["origin"]) + quantized * body["step"]
+        if body["type"] == kind:
+            return body
+
+
+def test_the_overview_tells_of_every_session(viewer: ClientConnection, service: Running) -> None:
+    assert message(viewer, "overview")["sessions"] == []
+    session_id = service.open_session()["session_id"]
+    service.post_frame(session_id, f32(scene()), seq=7)
+    while not (sessions := message(viewer, "overview")["sessions"]):
+        pass
+    while sessions[0]["seq"] != 7:
+        sessions = message(viewer, "overview")["sessions"]
+    assert sessions[0]["session_id"] == session_id
+    assert sessions[0]["state"] == "tracking"
+    assert sessions[0]["processed"] == 1
+
+
+def test_a_watched_session_shows_clouds_with_the_result_they_led_to(viewer: ClientConnection, service: Running) -> None:
+    session_id = service.open_session()["session_id"]
+    viewer.send(json.dumps({"type": "watch", "session": session_id}))
+    assert message(viewer, "result")["result"]["seq"] is None
+    points = scene()
+    answer = service.post_frame(session_id, f32(points), seq=3).json()
+    shown = message(viewer, "cloud")
+    assert shown["scene"] == f"session/{session_id}"
+    assert shown["result"] == answer
+    np.testing.assert_allclose(shown["points"], points, atol=1e-5)
+
+
+def test_large_clouds_are_thinned(viewer: ClientConnection, service: Running) -> None:
+    session_id = service.open_session()["session_id"]
+    viewer.send(json.dumps({"type": "watch", "session": session_id}))
+    message(viewer, "result")
+    service.post_frame(session_id, f32(scene(3 * MOST_POINTS)), seq=1)
+    shown = message(viewer, "cloud")
+    assert shown["of"] == 3 * MOST_POINTS + 300
+    assert len(shown["points"]) == shown["count"] == MOST_POINTS
+
+
+def test_who_looks_elsewhere_hears_no_more(viewer: ClientConnection, service: Running) -> None:
+    first, second = (service.open_session()["session_id"] for _ in range(2))
+    for session_id in (first, second):
+        viewer.send(json.dumps({"type": "watch", "session": session_id}))
+        assert message(viewer, "result")["result"]["session_id"] == session_id
+    service.post_frame(first, f32(scene()), seq=1)
+    service.post_frame(second, f32(scene()), seq=2)
+    assert message(viewer, "cloud")["scene"] == f"session/{second}"
+    assert message(viewer, "overview")
+
+
+@pytest.mark.parametrize(
+    ("wish", "detail"),
+    [
+        ('{"type": "watch", "session": "0000"}', "0000"),
+        ('{"type": "feed", "session": "0000", "preview": "wrist"}', "0000"),
+        ('{"type": "feed", "session": "0000", "preview": "wrist", "secret": "xyz"}', "secret"),
+        ('{"type": "dance"}', "dance"),
+        ("not JSON", "JSON"),
+    ],
+)
+def test_wishes_that_cannot_be_heeded_are_refused_with_the_reason(
+    viewer: ClientConnection, wish: str, detail: str
+) -> None:
+    viewer.send(wish)
+    assert detail in message(viewer, "refused")["detail"]
+    assert message(viewer, "overview")
+
+
+def test_pages_of_other_hosts_are_sent_away(service: Running) -> None:
+    with connect(stream_of(service), origin=Origin("http://elsewhere.example")) as socket:
+        with pytest.raises(ConnectionClosed) as closed:
+            socket.recv(10)
+        assert closed.value.rcvd is not None
+        assert closed.value.rcvd.code == 4403
+
+
+def test_a_viewer_that_left_leaves_nothing_behind(service: Running) -> None:
+    session_id = service.open_session()["session_id"]
+    session = service.service.registry.get(session_id)
+    with connect(stream_of(service)) as viewer:
+        viewer.send(json.dumps({"type": "watch", "session": session_id}))
+        message(viewer, "result")
+        assert observers_of(session) == 2
+    deadline_s = time.monotonic() + 10
+    while observers_of(session) > 1 and time.monotonic() < deadline_s:
+        time.sleep(0.02)
+    assert observers_of(session) == 1
+
+
+def observers_of(session: Any) -> int:
+    return len(session._observers._all)
