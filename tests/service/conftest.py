@@ -9,7 +9,7 @@ from tests.service.support import Running, running, zenoh_client
 @pytest.fixture
 def service() -> Iterator[Running]:
     with running() as started:
-        assert started.service.readiness.wait_prepared(30)
+        assert started.service.readiness.wait_prepared(120)
         yield started
 
 
