@@ -22,6 +22,9 @@ FEATURES = (
     "spread",
     "unfilled",
     "doubtful_mask",
+    "outside_box",
+    "flat",
+    "diagonal_error",
 )
 """What the model weighs, all of it bad news."""
 
@@ -42,11 +45,16 @@ UNCALIBRATED: Mapping[str, float] = MappingProxyType(
         "spread": -0.3,
         "unfilled": -1.0,
         "doubtful_mask": -2.0,
+        "outside_box": -0.5,
+        "flat": -1.0,
+        "diagonal_error": -1.0,
     }
 )
 """Weights before anything was calibrated: the right signs, and roughly the right size."""
 
 LIKELIEST_LOGIT = 12.0
+FLAT_THICKNESS = 0.02
+"""Thickness, in units of the scale, that noise gives to a board."""
 
 
 def features(part: PartEvidence, distinct_points: int) -> Float64[np.ndarray, " features"]:
@@ -65,6 +73,9 @@ def features(part: PartEvidence, distinct_points: int) -> Float64[np.ndarray, " 
             np.log(part.spread + 1e-3) - np.log(1e-3),
             1 - part.filled,
             1 - part.certainty,
+            np.log1p(20 * part.outside),
+            np.exp(-part.thickness / FLAT_THICKNESS),
+            part.diagonal_error,
         ]
     )
 
@@ -73,14 +84,14 @@ def features(part: PartEvidence, distinct_points: int) -> Float64[np.ndarray, " 
 class ConfidenceModel:
     """Logistic regression on the evidence of the worst part."""
 
-    bias: float = 3.0
+    bias: float = 3.2
     """Logit of perfect evidence."""
     weights: Mapping[str, float] = field(default_factory=lambda: UNCALIBRATED)
-    """Change of the logit per unit of each feature."""
+    """Change of the logit per unit of each feature; one that is not named, in older manifests, says nothing."""
 
     def logit(self, features: Float64[np.ndarray, "*rows features"]) -> Float64[np.ndarray, "*rows"]:
         """Log odds that parts with these features are within 5° and 5 cm."""
-        weights = np.array([self.weights[name] for name in FEATURES])
+        weights = np.array([self.weights.get(name, 0.0) for name in FEATURES])
         return np.asarray(np.clip(self.bias + features @ weights, -LIKELIEST_LOGIT, LIKELIEST_LOGIT))
 
     def __call__(self, evidence: Evidence) -> float:

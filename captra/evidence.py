@@ -38,11 +38,36 @@ class PartEvidence:
     """Share of the points in the expected box that are labelled as the part."""
     certainty: float
     """Mean probability of the part over the points labelled so."""
+    outside: float
+    """Share of the part's points that lie outside the box that was found, by more than a tenth of its sides."""
+    thickness: float
+    """Standard deviation of the part's points along the direction in which they spread least, in units of the scale:
+    a board that stands before the object has none."""
+    diagonal_error: float
+    """Absolute logarithm of the ratio of the found box's diagonal to the scale: coordinates that shrink to the middle
+    are those of networks that do not know."""
 
     @staticmethod
     def missing(points: int, centre: Float64[np.ndarray, "3"]) -> "PartEvidence":
         """Evidence of a part that could not be fitted and keeps its centre."""
-        return PartEvidence(points, centre, 1.0, 0.0, np.pi, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0)
+        return PartEvidence(
+            points=points,
+            centroid=centre,
+            residual=1.0,
+            inliers=0.0,
+            disagreement_rad=np.pi,
+            rotation_jump_rad=0.0,
+            translation_jump=0.0,
+            scale_jump=0.0,
+            spread=1.0,
+            shape_jump=1.0,
+            share=0.0,
+            filled=0.0,
+            certainty=0.0,
+            outside=1.0,
+            thickness=0.0,
+            diagonal_error=1.0,
+        )
 
 
 @dataclass(frozen=True)
@@ -68,6 +93,18 @@ def shape_jump(size: Float[np.ndarray, "3"], expected: Float[np.ndarray, "3"]) -
 
 
 SMALLEST_SIDE_M = 1e-4
+BOX_MARGIN = 0.1
+"""Share of a box's sides that noise may carry its points beyond it."""
+
+
+def thickness(points: Float[np.ndarray, "points 3"]) -> float:
+    """Standard deviation of points along the direction in which they spread least, in their own unit."""
+    return float(np.sqrt(max(0.0, float(np.linalg.eigvalsh(np.cov(points.T))[0]))))
+
+
+def share_outside(points_part: Float[np.ndarray, "points 3"], size: Float[np.ndarray, "3"]) -> float:
+    """Share of points in a part's own frame that lie outside its box, by more than a tenth of its sides."""
+    return float(1 - (np.abs(points_part) <= (0.5 + BOX_MARGIN) * size).all(axis=-1).mean())
 
 
 def inside_box(points: Float[np.ndarray, "points 3"], part: Pose) -> Bool[np.ndarray, " points"]:

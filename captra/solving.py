@@ -7,7 +7,7 @@ from jaxtyping import Bool, Float32, Float64, Int
 
 from captra import fitting
 from captra.categories import Category
-from captra.evidence import Evidence, PartEvidence, inside_box, shape_jump
+from captra.evidence import SMALLEST_SIDE_M, Evidence, PartEvidence, inside_box, shape_jump, share_outside, thickness
 from captra.geometry import Pose, rotation_angle, rotation_from_6d, rotation_from_axis
 from captra.joint_projection import UNPROJECTED, JointProjection
 from captra.rotation_fusion import ROTATION_NET_ALONE, RotationFusion
@@ -156,6 +156,9 @@ def fit_part(
         share=len(own) / len(points),
         filled=float(np.mean(mask[boxed])) if boxed.any() else 0.0,
         certainty=float(prediction.segmentation[part, mask].mean()),
+        outside=share_outside((own - translation) @ found.rotation, size),
+        thickness=thickness(own) / scale,
+        diagonal_error=float(abs(np.log(max(float(np.linalg.norm(size)), SMALLEST_SIDE_M) / scale))),
     )
     return translation, scale, size, evidence
 

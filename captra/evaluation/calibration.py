@@ -1,4 +1,4 @@
-"""Fits the confidence and its thresholds to what steps knew, on sequences apart from training and test."""
+"""Fits the confidence to what steps knew, on sequences apart from training and test."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -8,20 +8,11 @@ from jaxtyping import Bool, Float64
 
 from captra.confidence import FEATURES, UNCALIBRATED, ConfidenceModel
 from captra.evaluation.watching import Watched
-from captra.health import HealthMonitor
 
 RIDGE = 3e-3
 """Pull towards the uncalibrated weights, per standard deviation of a feature: what data do not tell stays as it was."""
 
 NEWTON_STEPS = 30
-DOUBTED_SHARE = 0.01
-"""Share of right frames whose confidence may lie under the lower threshold."""
-
-THRESHOLDS = (0.02, 0.4)
-"""Bounds of the lower threshold."""
-
-TRUST_LOGIT = 1.5
-"""How far the upper threshold lies above the lower one, in log odds."""
 
 
 @dataclass(frozen=True)
@@ -42,8 +33,8 @@ def observations(watched: Sequence[Watched]) -> Observations:
     return Observations(features[known], correct[known])
 
 
-def calibrate(found: Observations) -> HealthMonitor:
-    """The monitor whose confidence and thresholds fit these observations.
+def fit_confidence(found: Observations) -> ConfidenceModel:
+    """The model that fits these observations, of all parts at once.
 
     Raises:
         ValueError: there are none.
@@ -51,11 +42,7 @@ def calibrate(found: Observations) -> HealthMonitor:
     if not len(found.correct):
         raise ValueError("there is nothing to calibrate on: no frame had points near the object")
     parts = fit(found.features.reshape(-1, len(FEATURES)), found.correct.reshape(-1))
-    model = _of_the_worst_part(parts, found)
-    right = confidences(model, found)[found.correct.all(axis=1)]
-    doubt = float(np.clip(np.quantile(right, DOUBTED_SHARE) if len(right) else 0.0, *THRESHOLDS))
-    trust = 1 / (1 + np.exp(-(np.log(doubt / (1 - doubt)) + TRUST_LOGIT)))
-    return HealthMonitor(model, doubt, float(trust))
+    return _of_the_worst_part(parts, found)
 
 
 def fit(features: Float64[np.ndarray, "rows features"], correct: Bool[np.ndarray, " rows"]) -> ConfidenceModel:

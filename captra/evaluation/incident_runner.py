@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
-from captra.evaluation.incidents import make_incident
+from captra.evaluation.incidents import FULL, Span, make_incident
 from captra.evaluation.runner import NetworksSource, loaded
 from captra.evaluation.sequences import SequenceSource
 from captra.evaluation.watching import Watched, watch
@@ -25,6 +25,8 @@ class Rehearsal:
     """Keys of `INCIDENTS`, one after the other."""
     seed: int
     """Of the incidents."""
+    span: Span = FULL
+    """How long they take."""
 
 
 def watch_all(
@@ -50,4 +52,6 @@ def _watch(networks: NetworksSource, health: Mapping[str, Any], looks: int, rehe
     recording = rehearsal.source.load().recording
     options, monitor = TrackerOptions(search=LookBudget(looks)), HealthMonitor.calibrated(health)
     start = partial(Tracker, loaded(networks), health=monitor, options=options)
-    return list(watch(start, (make_incident(kind, recording, rehearsal.seed) for kind in rehearsal.kinds)))
+    return list(
+        watch(start, (make_incident(kind, recording, rehearsal.seed, rehearsal.span) for kind in rehearsal.kinds))
+    )

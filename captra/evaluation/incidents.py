@@ -4,7 +4,7 @@ Everything happens in the camera frame, x right, y down, z forward. What an occl
 is what a camera would not see; the surroundings are those that the recording holds, a ball around the object.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 
@@ -18,23 +18,37 @@ from captra.perturbation import random_direction
 LEAD = 10
 """Frames before anything happens."""
 
-FAULT = 30
-"""Frames for which an object is out of sight."""
-
-AFTER = 25
-"""Frames after it, as far as there are any: time to be found again."""
-
 GAP_FRAMES = 10
 """Frames that are missing after the sensor paused."""
 
 RAMP = 5
 """Frames in which an occluder or the edge of the image moves over the object."""
 
+BOARD_NOISE_M = 0.0015
+"""Standard deviation of the depth of an occluder."""
+
 LEAST_POINTS = 20
 """An object with fewer is not in the cloud."""
 
 KEPT_SHARE = 0.85
 """Share of a frame's points that is drawn anew whenever the frame is shown again."""
+
+
+@dataclass(frozen=True)
+class Span:
+    """How long something takes."""
+
+    fault: int
+    """Frames for which an object is out of sight."""
+    after: int
+    """Frames after it, as far as there are any: time to be found again."""
+
+
+FULL = Span(30, 25)
+"""What recovery is judged by."""
+
+BRIEF = Span(12, 12)
+"""Enough to be lost, searched for and found again: for fitting, where more of the same says little more."""
 
 
 @dataclass(frozen=True)
@@ -88,6 +102,7 @@ class _Film:
 
     source: Recording
     rng: np.random.Generator
+    span: Span
 
     def frame(self, index: int) -> _Frame:
         s = self.source
@@ -124,7 +139,8 @@ class _Film:
             hidden = behind & (np.linalg.norm(offset, axis=1) < reach) & (offset[:, 0] < reach * (2 * progress - 1))
             if not self.source.category.background:
                 return other.only(~hidden)
-            on_board = other.points * (depth / other.points[:, 2:])
+            noise = self.rng.normal(scale=BOARD_NOISE_M, size=(len(other.points), 1))
+            on_board = other.points * ((depth + noise) / other.points[:, 2:])
             return replace(
                 other,
                 points=np.where(hidden[:, None], on_board, other.points).astype(np.float32),
@@ -151,7 +167,7 @@ class _Film:
 
 def nothing(film: _Film) -> Incident:
     """All goes well."""
-    frames = film.frames(0, LEAD + FAULT)
+    frames = film.frames(0, LEAD + film.span.fault)
     return film.incident("nothing", frames, len(frames), len(frames))
 
 
@@ -168,14 +184,14 @@ def occlusion_moved(film: _Film) -> Incident:
 def removed(film: _Film) -> Incident:
     """The object is taken away and put back, and what is around it stays in sight."""
     own = film.source.category.num_parts
-    during = [frame.only(frame.labels >= own) for frame in film.shown_again(LEAD, FAULT)]
-    frames = film.frames(0, LEAD) + during + film.frames(LEAD, LEAD + AFTER)
-    return film.incident("removed", frames, LEAD, LEAD + FAULT)
+    during = [frame.only(frame.labels >= own) for frame in film.shown_again(LEAD, film.span.fault)]
+    frames = film.frames(0, LEAD) + during + film.frames(LEAD, LEAD + film.span.after)
+    return film.incident("removed", frames, LEAD, LEAD + film.span.fault)
 
 
 def left_view(film: _Film) -> Incident:
     """The camera pans until the object is out of its image, waits, and pans back."""
-    frame, half = film.frame(LEAD), FAULT // 2
+    frame, half = film.frame(LEAD), film.span.fault // 2
     own = frame.points[frame.labels < film.source.category.num_parts]
     edge = float((own[:, 0] / own[:, 2]).max()) + 0.005
     width = edge - float((own[:, 0] / own[:, 2]).min()) + 0.02
@@ -184,39 +200,41 @@ def left_view(film: _Film) -> Incident:
     for shown, progress in zip(film.shown_again(LEAD, len(ramp)), ramp, strict=True):
         shifted = shown.moved(np.eye(3), np.zeros(3), np.array([progress * width * own[:, 2].max(), 0, 0]))
         during.append(shifted.only(shifted.points[:, 0] / shifted.points[:, 2] < edge))
-    frames = film.frames(0, LEAD) + during + film.frames(LEAD, LEAD + AFTER)
+    frames = film.frames(0, LEAD) + during + film.frames(LEAD, LEAD + film.span.after)
     return film.incident("left view", frames, LEAD, LEAD + len(ramp))
 
 
 def teleport(film: _Film) -> Incident:
     """From one frame to the next everything is elsewhere: 10 to 25 cm and 20 to 60°."""
     jolt = film.jolt(film.frame(LEAD), (0.10, 0.25), (20.0, 60.0))
-    frames = film.frames(0, LEAD) + [jolt(frame) for frame in film.frames(LEAD, LEAD + AFTER)]
+    frames = film.frames(0, LEAD) + [jolt(frame) for frame in film.frames(LEAD, LEAD + film.span.after)]
     return film.incident("teleport", frames, LEAD, LEAD)
 
 
 def drop_out(film: _Film) -> Incident:
     """The sensor delivers next to nothing for a while: one point in a hundred, anywhere in the ball."""
-    during = [frame.only(film.rng.random(len(frame.points)) < 0.01) for frame in film.shown_again(LEAD, FAULT // 2)]
-    frames = film.frames(0, LEAD) + during + film.frames(LEAD, LEAD + AFTER)
+    during = [
+        frame.only(film.rng.random(len(frame.points)) < 0.01) for frame in film.shown_again(LEAD, film.span.fault // 2)
+    ]
+    frames = film.frames(0, LEAD) + during + film.frames(LEAD, LEAD + film.span.after)
     return film.incident("drop-out", frames, LEAD, LEAD + len(during))
 
 
 def gap(film: _Film) -> Incident:
     """A third of a second is missing: the object moves on unseen."""
     missing = GAP_FRAMES
-    frames = film.frames(0, LEAD) + film.frames(LEAD + missing, LEAD + missing + AFTER)
+    frames = film.frames(0, LEAD) + film.frames(LEAD + missing, LEAD + missing + film.span.after)
     return film.incident("gap", frames, LEAD, LEAD)
 
 
 def _occluded(film: _Film, kind: str, then: Callable[[_Frame], _Frame]) -> Incident:
     covered = film.occluder(film.frame(LEAD), gap_m=float(np.exp(film.rng.uniform(np.log(0.02), np.log(0.25)))))
-    progress = np.minimum(1.0, np.arange(1, RAMP + FAULT + 1) / RAMP)
+    progress = np.minimum(1.0, np.arange(1, RAMP + film.span.fault + 1) / RAMP)
     shown = film.shown_again(LEAD, len(progress))
     during = [covered(frame, float(share)) for frame, share in zip(shown, progress, strict=True)]
-    back = [then(frame) for frame in film.frames(LEAD, LEAD + AFTER)]
+    back = [then(frame) for frame in film.frames(LEAD, LEAD + film.span.after)]
     start = LEAD + RAMP - 1
-    return film.incident(kind, film.frames(0, LEAD) + during + back, start, start + FAULT + 1)
+    return film.incident(kind, film.frames(0, LEAD) + during + back, start, start + film.span.fault + 1)
 
 
 INCIDENTS: Mapping[str, Callable[[_Film], Incident]] = MappingProxyType(
@@ -233,11 +251,11 @@ INCIDENTS: Mapping[str, Callable[[_Film], Incident]] = MappingProxyType(
 )
 """What can go wrong, by name."""
 
-LONGEST = LEAD + GAP_FRAMES + AFTER
+LONGEST = LEAD + GAP_FRAMES + FULL.after
 """Frames of a recording that incidents use; shorter ones leave less of what comes after."""
 
 
-def make_incident(kind: str, recording: Recording, seed: int) -> Incident:
+def make_incident(kind: str, recording: Recording, seed: int, span: Span = FULL) -> Incident:
     """Let something go wrong in a recording; the same arguments give the same incident.
 
     Raises:
@@ -246,11 +264,4 @@ def make_incident(kind: str, recording: Recording, seed: int) -> Incident:
     """
     if len(recording) <= LEAD + GAP_FRAMES:
         raise ValueError(f"{recording.name} has {len(recording)} frames: more than {LEAD + GAP_FRAMES} are needed")
-    return INCIDENTS[kind](_Film(recording, np.random.default_rng([seed, *kind.encode()])))
-
-
-def incidents_of(recordings: Iterable[Recording], kinds: Sequence[str], seed: int = 0) -> Iterator[Incident]:
-    """Every kind of incident in every recording."""
-    for index, recording in enumerate(recordings):
-        for kind in kinds:
-            yield make_incident(kind, recording, seed + index)
+    return INCIDENTS[kind](_Film(recording, np.random.default_rng([seed, *kind.encode()]), span))

@@ -22,6 +22,9 @@ GOOD = PartEvidence(
     share=0.5,
     filled=0.9,
     certainty=0.97,
+    outside=0.01,
+    thickness=0.08,
+    diagonal_error=0.03,
 )
 BAD = replace(GOOD, residual=0.2, inliers=0.1, disagreement_rad=0.6, certainty=0.5)
 
@@ -56,6 +59,18 @@ def test_a_sparse_cloud_is_trusted_less() -> None:
     assert model(evidence(GOOD, distinct_points=12)) < model(evidence(GOOD))
 
 
+def test_what_is_flat_or_sticks_out_of_its_box_is_trusted_less() -> None:
+    model, good = ConfidenceModel(), ConfidenceModel()(evidence(GOOD))
+    for worse in (replace(GOOD, thickness=0.001), replace(GOOD, outside=0.4), replace(GOOD, diagonal_error=0.6)):
+        assert model(evidence(worse)) < good - 0.05
+
+
+def test_a_fit_from_before_a_feature_was_known_still_counts() -> None:
+    older = {name: weight for name, weight in UNCALIBRATED.items() if name != "flat"}
+    model = ConfidenceModel(3.0, older)
+    assert model(evidence(GOOD)) == pytest.approx(model(evidence(replace(GOOD, thickness=0.0))))
+
+
 def test_jumps_do_not_count_where_they_were_to_be_expected() -> None:
     jumped = replace(GOOD, rotation_jump_rad=0.5, translation_jump=0.6, scale_jump=0.1)
     model = ConfidenceModel()
@@ -73,6 +88,9 @@ def test_worse_evidence_is_never_trusted_more(residual: float, disagreement: flo
         rotation_jump_rad=part.rotation_jump_rad + more,
         certainty=part.certainty * less,
         filled=part.filled * less,
+        outside=part.outside + more,
+        thickness=part.thickness * less,
+        diagonal_error=part.diagonal_error + more,
     )
     model = ConfidenceModel()
     assert 0 <= model(evidence(worse)) <= model(evidence(part)) <= 1
