@@ -1,6 +1,7 @@
 """The websocket of the live page, without a browser."""
 
 import json
+import socket
 import struct
 import time
 from collections.abc import Iterator
@@ -23,8 +24,8 @@ def stream_of(service: Running) -> str:
 
 @pytest.fixture
 def viewer(service: Running) -> Iterator[ClientConnection]:
-    with connect(stream_of(service), max_size=None) as socket:
-        yield socket
+    with connect(stream_of(service), max_size=None) as connected:
+        yield connected
 
 
 def message(viewer: ClientConnection, kind: str) -> dict[str, Any]:
@@ -107,9 +108,9 @@ def test_wishes_that_cannot_be_heeded_are_refused_with_the_reason(
 
 
 def test_pages_of_other_hosts_are_sent_away(service: Running) -> None:
-    with connect(stream_of(service), origin=Origin("http://elsewhere.example")) as socket:
+    with connect(stream_of(service), origin=Origin("http://elsewhere.example")) as viewer:
         with pytest.raises(ConnectionClosed) as closed:
-            socket.recv(10)
+            viewer.recv(10)
         assert closed.value.rcvd is not None
         assert closed.value.rcvd.code == 4403
 
@@ -126,6 +127,27 @@ def test_a_viewer_that_left_leaves_nothing_behind(service: Running) -> None:
     while observers_of(session) > before and time.monotonic() < deadline_s:
         time.sleep(0.02)
     assert observers_of(session) == before
+
+
+def test_a_viewer_that_reads_slowly_holds_nothing_up_and_sees_the_newest(service: Running) -> None:
+    session_id, frames = service.open_session()["session_id"], 30
+    address = service.http.base_url
+    with socket.socket() as narrow:
+        narrow.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+        narrow.connect((address.host, address.port))
+        with connect(stream_of(service), sock=narrow, max_size=None, max_queue=1) as viewer:
+            viewer.send(json.dumps({"type": "watch", "session": session_id}))
+            message(viewer, "result")
+            large = f32(scene(MOST_POINTS))
+            for seq in range(frames):  # nothing is read meanwhile
+                assert service.post_frame(session_id, large, seq=seq).status_code == 200
+                time.sleep(0.05)
+            seen = [message(viewer, "cloud")["result"]["seq"]]
+            while seen[-1] < frames - 1:
+                seen.append(message(viewer, "cloud")["result"]["seq"])
+    assert seen == sorted(seen)
+    assert len(seen) < frames, "every cloud waited for the viewer"
+    assert service.session(session_id)["counters"]["processed"] == frames
 
 
 def observers_of(session: Any) -> int:
