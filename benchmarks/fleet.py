@@ -10,7 +10,7 @@ from tempfile import TemporaryDirectory
 import numpy as np
 
 from captra.data.recordings import Recording, load_recording
-from clients import Session, open_session, thin_out
+from clients import Session, SessionClosedError, open_session, thin_out
 from clients.demo import COFFEE_MUG
 from clients.service_process import ServiceProcess
 
@@ -39,6 +39,8 @@ class Tracked:
     """Clouds that were put again, since no answer came."""
     frame: int = 0
     """Which cloud is next: there and back again, so that the object never jumps."""
+    ended: bool = False
+    """Whether the service has closed the session, though its client lives."""
     seq: int = -1
     """Number of the last cloud that was put."""
 
@@ -49,7 +51,10 @@ class Tracked:
 
     def put(self) -> None:
         """Send the next cloud, or the same one again where the last was not answered."""
-        self.seq = self.session.put(self.clouds[self._index])
+        try:
+            self.seq = self.session.put(self.clouds[self._index])
+        except SessionClosedError:
+            self.ended = True
 
     def is_answered(self) -> bool:
         """Whether the result of the last cloud is there."""

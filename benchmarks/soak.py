@@ -33,7 +33,7 @@ from clients.service_process import ServiceProcess, free_ports
 
 ANSWER_WITHIN_S = 5.0
 """A cloud that has no answer by then is put again."""
-GRACE_S = 10
+GRACE_S = 30
 FROZEN_S = 4.0
 GROWTH = 0.10
 """By how much memory and file handles may grow between the second and the last quarter of the quiet time."""
@@ -125,6 +125,7 @@ def verdict(soak: Soak, flood: Flood) -> list[tuple[str, str, bool]]:
     counted, usage = metrics(soak.service.url), soak.usage
     defects = counted['captra_frames_rejected_total{reason="internal-error"}'] + flood.crashes
     left = [session_id for session_id in soak.orphans if is_open(soak.service.url, session_id)]
+    ended = sum(each.ended for each in soak.fleet)
     opened = counted["captra_sessions_restored_total"], len(soak.fleet) + 1
     memory, handles = growth_of(usage.memory_mib), growth_of(usage.handles)
     return [
@@ -133,6 +134,7 @@ def verdict(soak: Soak, flood: Flood) -> list[tuple[str, str, bool]]:
         ("distance from it, median / largest", f"{np.median(errors_m):.4f} / {errors_m.max():.3f} m", True),
         ("fewest / most answers of a session", f"{min(answers)} / {max(answers)}", min(answers) > 0.8 * max(answers)),
         ("clouds put again", f"{sum(each.unanswered for each in soak.fleet)}", True),
+        ("sessions that ended under their client", f"{ended}", ended == 0),
         ("sessions gone on with after kill -9", f"{opened[0]:.0f} of {opened[1]}", opened[0] == opened[1]),
         ("malformed clouds, defects met", f"{flood.sent}, {defects:.0f}", defects == 0),
         ("sessions of killed clients, still there", f"{len(soak.orphans)}, {len(left)}", not left),
