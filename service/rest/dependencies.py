@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from typing import Annotated, TypeVar
+from weakref import WeakKeyDictionary
 
 import anyio
 from fastapi import Depends, Path, Request
@@ -27,6 +28,12 @@ class Workers:
 
     def __init__(self, threads: int = 16) -> None:
         self._limiter = anyio.CapacityLimiter(threads)
+        self._turns: WeakKeyDictionary[Session, anyio.Lock] = WeakKeyDictionary()
+
+    async def run_in_turn(self, session: Session, work: Callable[[], Answer]) -> Answer:
+        """The answer of work on one session: whoever waits for that takes no thread from others meanwhile."""
+        async with self._turns.setdefault(session, anyio.Lock()):
+            return await self.run(work)
 
     async def run(self, work: Callable[[], Answer]) -> Answer:
         """The answer of `work`, done on a thread."""

@@ -89,9 +89,9 @@ async def post_frame(
     try:
         payload = await read_body(request, session.codecs.check_size)
     except PayloadTooLargeError as rejection:
-        await threads.run(partial(session.refuse, rejection))
+        await threads.run_in_turn(session, partial(session.refuse, rejection))
         raise
     sent = await frame_of(payload, request.headers.get("content-type", ""), box)
     envelope = Envelope(sent.encoding, sent.payload, pack_attachment(seq, stamp_ns) + sent.mask, arrived_s)
-    result = await threads.run(lambda: session.process(envelope))
+    result = await threads.run_in_turn(session, lambda: session.process(envelope))
     return Response(result.to_json(), media_type="application/json")

@@ -116,9 +116,9 @@ async def put_pose(body: NewPose, session: OpenSession, threads: OnThread) -> Re
     try:
         pose = pose_of(body.parts, session.category)
     except RejectedError as rejection:
-        await threads.run(partial(session.refuse_pose, rejection))
+        await threads.run_in_turn(session, partial(session.refuse_pose, rejection))
         raise
-    result = await threads.run(lambda: session.reset(pose))
+    result = await threads.run_in_turn(session, lambda: session.reset(pose))
     return Response(result.to_json(), media_type="application/json")
 
 
