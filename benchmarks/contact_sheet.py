@@ -12,7 +12,7 @@ from jaxtyping import Float64
 from matplotlib import colormaps
 from matplotlib.figure import Figure
 
-from captra.data.meshes import load_meshes
+from captra.data.meshes import Use, load_meshes
 from captra.data.rendering import NOTHING, Camera, cast
 from captra.data.shapes.kinematics import part_motions
 from captra.data.shapes.mesh import Mesh, merged
@@ -35,7 +35,7 @@ def main(
 ) -> None:
     """Draw every instance once, each from a direction of its own, with its joints somewhere in their limits."""
     rng = np.random.default_rng(SEED)
-    uses = ("train", "validate")
+    uses: tuple[Use, ...] = ("train", "validate")
     library = [] if meshes is None else [mesh for use in uses for mesh in load_meshes(meshes, category, use)]
     shapes = [(mesh.name.partition("__")[2][:24], mesh.shape) for mesh in library]
     shapes += [("", make_shape(category, rng)) for _ in range(count)]
@@ -64,7 +64,7 @@ def drawn(shape: Shape, rng: np.random.Generator) -> Float64[np.ndarray, "H W 3"
     posed = [Mesh(*part).moved(view, center - view @ whole.mean(0)) for part in parts]
     patch = cast(posed, CAMERA, center, distance, CAMERA.width * CAMERA.height)
     hues = np.array([colormaps["Set2"](body)[:3] for body in range(len(posed))])
-    image = hues[np.maximum(patch.body, 0)] * (0.25 + 0.75 * patch.cosine[..., None])
+    image: Float64[np.ndarray, "H W 3"] = hues[np.maximum(patch.body, 0)] * (0.25 + 0.75 * patch.cosine[..., None])
     image[patch.body == NOTHING] = 1.0
     return image
 

@@ -1,4 +1,4 @@
-"""`captra evaluate` and `captra response`: what the exported networks score."""
+"""`captra evaluate`, `captra response` and `captra fuse`: what the exported networks score."""
 
 import json
 from pathlib import Path
@@ -124,6 +124,44 @@ def response(
         networks = load(models, name, profile, provider)
         for source in recordings_in(recordings, name):
             console.print(response_table(source.name, test(networks, source.load().recording)))
+
+
+def fuse(
+    category: Categories = None,
+    sequences: Annotated[int, typer.Option(help="Procedural validation sequences per category.", min=1)] = 8,
+    frames: Annotated[int, typer.Option(help="Of each.")] = 60,
+    models: Models = DEFAULT_MODELS,
+    profile: ProfileName = "realtime",
+    provider: Provider = "cpu",
+    jobs: Annotated[int, typer.Option(help="Sequences tracked at a time, each in a process of its own.")] = 1,
+    cache: Cache = DEFAULT_CACHE,
+) -> None:
+    """Choose how a bundle's two opinions on rotations are put together, on validation sequences; into the manifest.
+
+    Example: captra fuse --category mug
+    """
+    from dataclasses import replace
+
+    from rich.console import Console
+
+    from captra.evaluation.fusion_choice import compare, worth
+    from captra.evaluation.sequence_cache import SequenceCache
+    from captra.evaluation.sequences import VALIDATION_SEED
+    from captra.evaluation.sequences import procedural as unseen
+    from captra.evaluation.table import WIDTH, table
+    from captra.evaluation.workers import workers
+    from captra.runtime.bundle import load_manifest, write_manifest
+    from captra.runtime.cores import available_cores
+
+    console, kept = Console(width=WIDTH), SequenceCache.open(cache)
+    with workers(jobs) as pool:
+        for name in with_models(category, models):
+            networks = exported(models, name, profile, provider, max(1, available_cores() // jobs))
+            sources = list(unseen(name, sequences, kept, frames, VALIDATION_SEED))
+            means = list(compare(networks, name, sources, pool))
+            best = max(means, key=worth)
+            write_manifest(models / name, replace(load_manifest(models / name), rotation_fusion=best.name))
+            console.print(table(means, f"{name}: {best.name} is in the manifest now"))
 
 
 def with_models(categories: list[str] | None, models: Path) -> list[str]:

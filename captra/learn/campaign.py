@@ -238,17 +238,19 @@ class LocalSteps:
             trainer.run(stop_there)
 
     def export(self, category: str) -> None:
-        """As `captra export` and `captra calibrate` do."""
+        """As `captra export`, `captra fuse` and `captra calibrate` do."""
         out = self.folders.candidate(category)
         checkpoints = self.folders.run(category)
         command = [sys.executable, "-m", "captra", "export", "--category", category, "--out", str(out)]
         run([*command, *(w for n in ("coordinate", "rotation") for w in (f"--{n}", str(checkpoints / f"{n}.pt")))])
-        calibrate = [sys.executable, "-m", "captra", "calibrate", "--category", category]
-        calibrate += ["--models", str(out.parent), "--cache", str(self.folders.sequences)]
+        on = ["--category", category, "--models", str(out.parent), "--cache", str(self.folders.sequences)]
+        run([sys.executable, "-m", "captra", "fuse", *on, "--sequences", str(self.sequences)])
+        calibrate = [sys.executable, "-m", "captra", "calibrate", *on]
         subprocess.run(calibrate, check=False)  # without right and wrong steps there is nothing to fit
 
     def validate(self, bundle: Path) -> float:
         """Mean of 5°5cm and oriented IoU, percent, over unseen procedural sequences with validation seeds."""
+        from captra.evaluation.fusion_choice import worth
         from captra.evaluation.runner import ExportedNetworks, evaluate
         from captra.evaluation.sequence_cache import SequenceCache
         from captra.evaluation.sequences import VALIDATION_SEED, procedural
@@ -258,8 +260,7 @@ class LocalSteps:
         cache = SequenceCache.open(self.folders.sequences)
         sources = procedural(bundle.name, self.sequences, cache, self.frames, VALIDATION_SEED)
         networks = ExportedNetworks(bundle, "realtime", "cpu", self.threads)
-        mean = average(bundle.name, [summarize(one.score) for one in evaluate(networks, sources, Here())])
-        return (mean.within_5deg_5cm_percent + mean.iou_oriented_percent) / 2
+        return worth(average(bundle.name, [summarize(one.score) for one in evaluate(networks, sources, Here())]))
 
     def draw(self, category: str) -> None:
         """Loss and validation score over the samples, beside the run's log."""

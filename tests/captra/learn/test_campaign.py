@@ -3,9 +3,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import pytest
+import torch
 
 from captra.categories import CATEGORIES
-from captra.learn.campaign import MILESTONES, QUEUE, WARM_STARTS, Campaign, Folders, load_standings
+from captra.learn.campaign import MILESTONES, QUEUE, WARM_STARTS, Campaign, Folders, LocalSteps, load_standings
 
 
 @dataclass
@@ -85,3 +86,16 @@ def test_categories_that_others_start_from_come_first(folders: Folders) -> None:
     (folders.checkpoints / "bottle").mkdir(parents=True)
     (folders.checkpoints / "bottle" / "rotation.pt").touch()
     assert folders.start_from("can") == folders.checkpoints / "bottle"
+
+
+def test_the_real_steps_lead_from_nothing_to_a_bundle(folders: Folders) -> None:
+    """Far too little training to be of use, but every step is the one that a campaign takes."""
+    steps = LocalSteps(folders, samples=24, views=8, sequences=1, frames=3)
+    steps.make_views("can")
+    steps.train("can", 12)
+    first = torch.load(folders.run("can") / "state.pt", weights_only=True)["progress"]["samples"]
+    steps.train("can", 24)
+    assert (first, torch.load(folders.run("can") / "state.pt", weights_only=True)["progress"]["samples"]) == (12, 24)
+    steps.export("can")
+    assert 0 <= steps.validate(folders.candidate("can")) <= 100
+    assert all("procedural-9" not in path.name for path in folders.sequences.rglob("*.npz")), "no test seed is drawn"
