@@ -2,13 +2,14 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import Protocol
 
 import numpy as np
 from jaxtyping import Float, Float64
 
 from captra.categories import Category
-from captra.fitting import rotation_about_axis
+from captra.fitting import mean_rotation, rotation_about_axis
 from captra.geometry import Pose
 
 
@@ -68,3 +69,37 @@ class OntoAxes:
             turn = rotation_about_axis(turned, axis) if joint.kind == "revolute" else np.eye(3)
             projected[joint.child] = parent @ turn @ at_rest
         return projected
+
+
+@dataclass(frozen=True)
+class Pooled:
+    """All parts have a say in the root's rotation, each by way of its joint; then parts turn about their axes only.
+
+    Meant for parts that are seen equally well: drawers are four views of one rotation.
+    """
+
+    rounds: int = 3
+    """How often the turns of the joints and the root's rotation are found from each other."""
+
+    def __call__(
+        self, rotation: Float64[np.ndarray, "parts 3 3"], category: Category
+    ) -> Float64[np.ndarray, "parts 3 3"]:
+        """The joints' turns with the root's rotation that all parts support most; every joint hangs on the root."""
+        found = ALONG_AXES(rotation, category)
+        for _ in range(self.rounds):
+            votes = [rotation[category.root]]
+            for joint in category.joints:
+                turn = found[joint.parent].T @ found[joint.child]
+                votes.append(rotation[joint.child] @ turn.T)
+            pooled = np.array(rotation, np.float64)
+            pooled[category.root] = mean_rotation(np.stack(votes))
+            found = ALONG_AXES(pooled, category)
+        return found
+
+
+ALONG_AXES: JointProjection = OntoAxes()
+
+JOINT_PROJECTIONS: Mapping[str, JointProjection] = MappingProxyType(
+    {"free": UNPROJECTED, "along-axes": ALONG_AXES, "pooled": Pooled()}
+)
+"""By the names that manifests use."""

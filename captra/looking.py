@@ -13,7 +13,7 @@ from captra.canonical import canonicalize
 from captra.categories import Category
 from captra.evidence import Evidence
 from captra.geometry import Pose
-from captra.joint_projection import UNPROJECTED, JointProjection
+from captra.joint_projection import JointProjection
 from captra.observations import Crop, Observation
 from captra.rotation_fusion import RotationFusion
 from captra.sampling import InputSampling, Neighborhoods, Profile, part_neighborhoods
@@ -40,6 +40,10 @@ class Networks(Protocol):
     @property
     def rotation_fusion(self) -> RotationFusion:
         """Whose word counts for rotations."""
+
+    @property
+    def joint_projection(self) -> JointProjection:
+        """How rotations are kept on the joints."""
 
     @property
     def side_by_side(self) -> SideBySide:
@@ -98,9 +102,9 @@ def look(
     observation: Observation,
     around: Pose,
     segmentation: Segmentation = NOTHING_KNOWN,
-    projection: JointProjection = UNPROJECTED,
+    projection: JointProjection | None = None,
 ) -> Sighting:
-    """Find the object in what a sensor saw near the pose `around`.
+    """Find the object in what a sensor saw near the pose `around`; joints allow what the networks say by default.
 
     Raises:
         NoPointsError: nothing was seen near the pose.
@@ -113,7 +117,8 @@ def look(
     sampled = perf_counter()
     prediction = predict(networks, points_canonical, neighborhoods, segmentation.labels(crop.indices))
     inferred = perf_counter()
-    pose, evidence = solve(crop.points, prediction, around, category, networks.rotation_fusion, projection)
+    allowed = projection or networks.joint_projection
+    pose, evidence = solve(crop.points, prediction, around, category, networks.rotation_fusion, allowed)
     pose = reject_leaps(pose, around)
     evidence = replace(evidence, distinct_points=len(np.unique(crop.indices)))
     timing = StepTiming(*(1e3 * d for d in (sampled - started, inferred - sampled, perf_counter() - inferred)))

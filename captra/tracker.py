@@ -9,7 +9,7 @@ from jaxtyping import Float
 from captra.evidence import Evidence
 from captra.geometry import Pose
 from captra.health import HealthMonitor, State
-from captra.joint_projection import UNPROJECTED, JointProjection
+from captra.joint_projection import JointProjection
 from captra.joints import JointValue, joint_values
 from captra.looking import Networks, Sighting, StepTiming, look
 from captra.motion import STANDING_STILL, MotionModel
@@ -48,8 +48,8 @@ class TrackerOptions:
     """Where to look next, while the track holds."""
     search: SearchBudget = NO_SEARCH
     """How many looks a frame may take while the track does not hold."""
-    projection: JointProjection = UNPROJECTED
-    """What joints allow."""
+    projection: JointProjection | None = None
+    """What joints allow; by default what the networks come with."""
     output_filter: OutputFilter = UNFILTERED
     """Smooths what is published; never fed back."""
     given_weight_frames: float = GIVEN_WEIGHT_FRAMES

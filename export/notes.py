@@ -8,7 +8,7 @@ from typing import Any
 from captra.runtime.bundle import BundleError, Manifest
 from export.bundles import unchanged
 
-SETTABLE = ("training", "scores", "health", "input_sampling", "rotation_input", "rotation_fusion")
+SETTABLE = ("training", "scores", "health", "input_sampling", "rotation_input", "rotation_fusion", "joint_projection")
 
 
 def with_notes(path: Path | None) -> Callable[[Manifest], Manifest]:

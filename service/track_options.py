@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any, Literal
 
-from captra.joint_projection import UNPROJECTED, OntoAxes
+from captra.joint_projection import OntoAxes
 from captra.motion import STANDING_STILL, ConstantVelocity, MotionModel
 from captra.output_filter import UNFILTERED, OneEuro
 from captra.recovery import NO_SEARCH, SearchBudget, TimeBudget
@@ -40,7 +40,7 @@ class TrackOptions:
     """Of published poses; none publishes what was found."""
     joint_axes: Mapping[str, tuple[float, float, float]] | None = None
     """Axes, in the parent's frame, that parts may turn about, by joint; those not named are the category's own.
-    None leaves all parts free."""
+    None leaves it to the bundle."""
 
     @staticmethod
     def from_json(fields: Mapping[str, Any]) -> "TrackOptions":
@@ -63,7 +63,7 @@ class TrackOptions:
         return TrackerOptions(
             motion=PREDICTIONS[self.prediction],
             search=search,
-            projection=UNPROJECTED if self.joint_axes is None else OntoAxes(self.joint_axes),
+            projection=None if self.joint_axes is None else OntoAxes(self.joint_axes),
             output_filter=UNFILTERED
             if smooth is None
             else OneEuro(smooth.cutoff_hz, smooth.translation_gain, smooth.rotation_gain),

@@ -8,6 +8,7 @@ import numpy as np
 from captra.canonical import canonicalize, decanonicalize
 from captra.categories import Category, get_category
 from captra.geometry import Pose, axis_angle
+from captra.joint_projection import UNPROJECTED, JointProjection
 from captra.rotation_fusion import ROTATION_NET_ALONE, RotationFusion
 from captra.sampling import REALTIME, InputSampling, Neighborhoods, Profile
 from captra.side_by_side import IN_TURN, SideBySide
@@ -23,6 +24,7 @@ class OracleNetworks:
     profile: Profile = REALTIME
     input_sampling: InputSampling = field(default_factory=InputSampling)
     rotation_fusion: RotationFusion = ROTATION_NET_ALONE
+    joint_projection: JointProjection = UNPROJECTED
     side_by_side: SideBySide = IN_TURN
 
     def coordinates(self, points_canonical: np.ndarray, neighborhoods: Neighborhoods) -> tuple[np.ndarray, np.ndarray]:

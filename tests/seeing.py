@@ -7,6 +7,7 @@ import numpy as np
 
 from captra.categories import Category
 from captra.geometry import Pose, axis_angle
+from captra.joint_projection import UNPROJECTED, JointProjection
 from captra.rotation_fusion import ROTATION_NET_ALONE, RotationFusion
 from captra.sampling import InputSampling, Neighborhoods, Profile
 from captra.side_by_side import IN_TURN, SideBySide
@@ -70,6 +71,7 @@ class SeeingNetworks:
     profile: Profile = PROFILE
     input_sampling: InputSampling = field(default_factory=InputSampling)
     rotation_fusion: RotationFusion = ROTATION_NET_ALONE
+    joint_projection: JointProjection = UNPROJECTED
     side_by_side: SideBySide = IN_TURN
 
     def coordinates(self, points_canonical: np.ndarray, neighborhoods: Neighborhoods) -> tuple[np.ndarray, np.ndarray]:

@@ -136,18 +136,18 @@ def fuse(
     jobs: Annotated[int, typer.Option(help="Sequences tracked at a time, each in a process of its own.")] = 1,
     cache: Cache = DEFAULT_CACHE,
 ) -> None:
-    """Choose how a bundle's two opinions on rotations are put together, on validation sequences; into the manifest.
+    """Choose on validation sequences how a bundle's opinions on rotations become one, and note it in the manifest.
 
     Example: captra fuse --category mug
     """
-    from dataclasses import replace
-
     from rich.console import Console
 
-    from captra.evaluation.fusion_choice import compare, worth
+    from captra.evaluation.fusion_choice import FusedNetworks, Fusion, choose
+    from captra.evaluation.runner import evaluate
     from captra.evaluation.sequence_cache import SequenceCache
     from captra.evaluation.sequences import VALIDATION_SEED
     from captra.evaluation.sequences import procedural as unseen
+    from captra.evaluation.summary import Summary, average, summarize
     from captra.evaluation.table import WIDTH, table
     from captra.evaluation.workers import workers
     from captra.runtime.bundle import load_manifest, write_manifest
@@ -158,9 +158,13 @@ def fuse(
         for name in with_models(category, models):
             networks = exported(models, name, profile, provider, max(1, available_cores() // jobs))
             sources = list(unseen(name, sequences, kept, frames, VALIDATION_SEED))
-            means = list(compare(networks, name, sources, pool))
-            best = max(means, key=worth)
-            write_manifest(models / name, replace(load_manifest(models / name), rotation_fusion=best.name))
+
+            def measure(fusion: Fusion) -> Summary:
+                outcomes = evaluate(FusedNetworks(networks, fusion), sources, pool)  # noqa: B023 - called at once
+                return average(fusion.name, [summarize(outcome.score) for outcome in outcomes])
+
+            best, means = choose(name, measure)
+            write_manifest(models / name, best.set_in(load_manifest(models / name)))
             console.print(table(means, f"{name}: {best.name} is in the manifest now"))
 
 

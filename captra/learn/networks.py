@@ -8,6 +8,7 @@ import torch
 from jaxtyping import Float32
 
 from captra.categories import Category
+from captra.joint_projection import UNPROJECTED, JointProjection
 from captra.learn.coordinate_net import CoordinateNet
 from captra.learn.pointnet2 import TorchNeighborhoods
 from captra.learn.rotation_net import RotationNet
@@ -32,6 +33,8 @@ class TorchNetworks:
     """How the points were drawn in training."""
     rotation_fusion: RotationFusion = ROTATION_NET_ALONE
     """Whose word counts for rotations."""
+    joint_projection: JointProjection = UNPROJECTED
+    """How rotations are kept on the joints."""
     side_by_side: SideBySide = IN_TURN
     """PyTorch takes all cores by itself."""
     rotation_share: float = 1.0

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from captra.errors import UserError
+from captra.joint_projection import JOINT_PROJECTIONS
 from captra.rotation_fusion import ROTATION_FUSIONS
 from captra.sampling import PROFILES, InputSampling, Profile
 
@@ -92,6 +93,9 @@ class Manifest:
     """How points are drawn from the crop."""
     rotation_fusion: str = "rotation-net"
     """Whose word counts for rotations: a name of `captra.rotation_fusion.ROTATION_FUSIONS`."""
+    joint_projection: str = "free"
+    """How rotations are kept on the joints: a name of `captra.joint_projection.JOINT_PROJECTIONS`; older manifests do
+    not say it and leave every part free."""
     health: Mapping[str, Any] = field(default_factory=dict)
     """Calibration of the confidence on these networks, as `captra.health.HealthMonitor.calibrated` reads it."""
     format: int = FORMAT
@@ -119,6 +123,9 @@ class Manifest:
             content["input_sampling"] = InputSampling(**content["input_sampling"])
             content["parts"] = tuple(content["parts"])
             content.setdefault("rotation_share", 1.0)
+            content.setdefault("joint_projection", "free")
+            if content["joint_projection"] not in JOINT_PROJECTIONS:
+                raise BundleError(f"its joint projection {content['joint_projection']!r} is unknown: {_ADVICE}")
             if content["rotation_fusion"] not in ROTATION_FUSIONS:
                 raise BundleError(f"its rotation fusion {content['rotation_fusion']!r} is unknown: {_ADVICE}")
             if missing := [entry.name for entry in fields(cls) if entry.name not in content]:

@@ -9,6 +9,7 @@ import numpy as np
 from jaxtyping import Float32
 
 from captra.categories import Category, get_category
+from captra.joint_projection import JOINT_PROJECTIONS, JointProjection
 from captra.rotation_fusion import ROTATION_FUSIONS, RotationFusion
 from captra.runtime.bundle import COORDINATE, ROTATION, BundleError, Manifest, load_manifest, verify
 from captra.runtime.cores import available_cores
@@ -94,6 +95,11 @@ class OnnxNetworks:
     def rotation_fusion(self) -> RotationFusion:
         """Whose word counts for rotations."""
         return ROTATION_FUSIONS[self.manifest.rotation_fusion]
+
+    @property
+    def joint_projection(self) -> JointProjection:
+        """How rotations are kept on the joints."""
+        return JOINT_PROJECTIONS[self.manifest.joint_projection]
 
     def coordinates(
         self, points_canonical: Float32[np.ndarray, "points 3"], neighborhoods: Neighborhoods

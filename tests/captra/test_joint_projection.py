@@ -3,10 +3,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from captra.categories import CATEGORIES, get_category
-from captra.fitting import angle_about_axis, rotation_about_axis
+from captra.categories import CATEGORIES, Category, get_category
+from captra.fitting import angle_about_axis, mean_rotation, rotation_about_axis
 from captra.geometry import Pose, axis_angle, rotation_angle
-from captra.joint_projection import UNPROJECTED, OntoAxes
+from captra.joint_projection import ALONG_AXES, UNPROJECTED, OntoAxes, Pooled
 
 ARTICULATED = pytest.mark.parametrize("name", [name for name, one in CATEGORIES.items() if one.joints])
 
@@ -73,3 +73,35 @@ def test_a_joint_learned_from_the_first_pose_keeps_what_is_constant_in_it() -> N
         np.array(joint.axis),
     )
     assert moved == pytest.approx(1.1, abs=0.05)
+
+
+@ARTICULATED
+def test_pooling_leaves_what_joints_allow_as_it_is(name: str) -> None:
+    truth, _ = turned(name, 4, 0.0)
+    assert error(Pooled()(truth, get_category(name)), truth) < 1e-6
+
+
+@ARTICULATED
+def test_a_wrong_root_is_outvoted_by_its_children(name: str) -> None:
+    category = get_category(name)
+    truth, wrong = turned(name, 5, 0.0)
+    wrong[category.root] = wrong[category.root] @ axis_angle(np.array([0.5, 0.5, 0.7]), 0.2)
+    root = category.root
+
+    def off(rotation: np.ndarray) -> float:
+        return error(rotation[root : root + 1], truth[root : root + 1])
+
+    assert off(Pooled()(wrong, category)) < 0.95 * off(ALONG_AXES(wrong, category))
+
+
+def test_four_views_of_one_rotation_become_their_mean() -> None:
+    rng = np.random.default_rng(6)
+    truth = np.tile(axis_angle(rng.standard_normal(3), 1.0), (4, 1, 1))
+    wrong = truth @ axis_angle(rng.standard_normal((4, 3)), np.full(4, 0.1))
+    pooled = Pooled()(wrong, get_category("drawers"))
+    np.testing.assert_allclose(pooled, np.tile(mean_rotation(wrong), (4, 1, 1)), atol=1e-9)
+
+
+@pytest.mark.parametrize("category", CATEGORIES.values(), ids=str)
+def test_every_joint_hangs_on_the_root(category: Category) -> None:
+    assert all(joint.parent == category.root for joint in category.joints)

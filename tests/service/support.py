@@ -17,6 +17,7 @@ from zenoh import ext
 
 from captra import sampling
 from captra.categories import CATEGORIES, Category
+from captra.joint_projection import UNPROJECTED
 from captra.rotation_fusion import ROTATION_NET_ALONE
 from captra.sampling import InputSampling, Neighborhoods, Profile
 from captra.side_by_side import IN_TURN
@@ -49,6 +50,7 @@ class CentreNetworks:
         self.profile = profile
         self.input_sampling = InputSampling()
         self.rotation_fusion = ROTATION_NET_ALONE
+        self.joint_projection = UNPROJECTED
         self.side_by_side = IN_TURN
         self.doubtful = False
         self.broken = False

@@ -6,52 +6,58 @@ import pytest
 
 from captra.categories import CATEGORIES
 from captra.cli import main
-from captra.evaluation import workers
-from captra.evaluation.fusion_choice import FusedNetworks, candidates, compare, worth
+from captra.evaluation.fusion_choice import FusedNetworks, Fusion, choose, rotation_fusions, worth
 from captra.evaluation.runner import ExportedNetworks
-from captra.evaluation.sequence_cache import SequenceCache
-from captra.evaluation.sequences import VALIDATION_SEED, procedural
+from captra.evaluation.summary import Summary
+from captra.joint_projection import JOINT_PROJECTIONS
 from captra.rotation_fusion import ROTATION_FUSIONS
 from captra.runtime.bundle import load_manifest, write_manifest
 
 MODELS = Path(__file__).resolve().parents[3] / "models"
 
 
+def mean_of(name: str, percent: float) -> Summary:
+    return Summary(name, 1, 1, 0, percent, percent, percent, 0.0, 0.0, 0.0, None, None, None)
+
+
 @pytest.mark.parametrize("category", CATEGORIES)
 def test_candidates_are_fusions_that_manifests_can_name(category: str) -> None:
-    assert set(candidates(category)) <= set(ROTATION_FUSIONS)
-    assert "rotation-net" in candidates(category)
+    _, means = choose(category, lambda fusion: mean_of(fusion.name, 50.0))
+    tried = [tuple(mean.name.split(", ")) for mean in means]
+    assert {fusion for fusion, _ in tried} == set(rotation_fusions(category)) <= set(ROTATION_FUSIONS)
+    assert {projection for _, projection in tried} == (
+        set(JOINT_PROJECTIONS) if CATEGORIES[category].joints else {"free"}
+    )
+
+
+def test_projections_are_tried_with_the_best_fusion_and_chosen_only_if_they_help() -> None:
+    percents = {"mean, free": 70.0, "mean, pooled": 80.0, "mean, along-axes": 60.0}
+    best, means = choose("drawers", lambda fusion: mean_of(fusion.name, percents.get(fusion.name, 50.0)))
+    assert best == Fusion("mean", "pooled")
+    assert worth(max(means, key=worth)) == 80.0
+    percents["mean, pooled"] = 65.0
+    assert choose("drawers", lambda fusion: mean_of(fusion.name, percents.get(fusion.name, 50.0)))[0] == Fusion("mean")
 
 
 def test_a_bundle_is_run_with_the_fusion_asked_for() -> None:
-    fused = FusedNetworks(ExportedNetworks(MODELS / "can", "realtime", "cpu", 1), "coordinates")
-    assert fused.load().rotation_fusion is ROTATION_FUSIONS["coordinates"]
+    exported = ExportedNetworks(MODELS / "laptop_articulated", "realtime", "cpu", 1)
+    fused = FusedNetworks(exported, Fusion("coordinates", "pooled")).load()
+    assert fused.rotation_fusion is ROTATION_FUSIONS["coordinates"]
+    assert fused.joint_projection is JOINT_PROJECTIONS["pooled"]
 
 
-def test_the_best_candidate_on_validation_sequences_goes_into_the_manifest(tmp_path: Path) -> None:
+def test_the_best_candidate_on_validation_sequences_goes_into_the_manifest(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     bundle = tmp_path / "models" / "mug"
     shutil.copytree(MODELS / "mug", bundle)
     before = load_manifest(bundle)
     write_manifest(bundle, replace(before, rotation_fusion="coordinates"))
-    options = [
-        "--category",
-        "mug",
-        "--models",
-        str(bundle.parent),
-        "--cache",
-        str(tmp_path / "cache"),
-        "--sequences",
-        "1",
-        "--frames",
-        "4",
-    ]
+    options = ["--category", "mug", "--models", str(bundle.parent), "--cache", str(tmp_path / "cache")]
     with pytest.raises(SystemExit) as ended:
-        main(["fuse", *options])
+        main(["fuse", *options, "--sequences", "1", "--frames", "4"])
     assert not ended.value.code
-    sources = list(procedural("mug", 1, SequenceCache.open(tmp_path / "cache"), 4, VALIDATION_SEED))
-    exported = ExportedNetworks(bundle, "realtime", "cpu", 1)
-    means = {mean.name: worth(mean) for mean in compare(exported, "mug", sources, workers.Here())}
-    assert list(means) == list(candidates("mug"))
     chosen = load_manifest(bundle)
-    assert means[chosen.rotation_fusion] == max(means.values())
+    assert chosen.rotation_fusion in rotation_fusions("mug")
+    assert f"mug: {chosen.rotation_fusion}, free" in " ".join(capsys.readouterr().out.split())
     assert replace(chosen, rotation_fusion=before.rotation_fusion) == before
