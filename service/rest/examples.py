@@ -46,11 +46,18 @@ OPENED: JsonDict = {
     "expires_after_s": 300.0,
     "encodings": ENCODINGS,
     "zenoh": STREAM_KEYS,
+    "ros2": {
+        "points_topic": "/camera/depth/points",
+        "detections_topic": "/captra/coffee_mug/detections",
+        "joint_states_topic": None,
+        "frames": ["coffee_mug/mug"],
+    },
 }
 SESSION: JsonDict = OPENED | {
     "profile": "realtime",
     "frame_id": "camera_color_optical_frame",
     "idle_timeout_s": 300.0,
+    "record": False,
     "created_ns": 1_700_000_000_000_000_000,
     "counters": {
         "received": 9,

@@ -66,6 +66,15 @@ class StreamKeys(BaseModel):
     )
 
 
+class Ros2Topics(BaseModel):
+    """Where the session is reached in ROS 2."""
+
+    points_topic: str | None = Field(description="`sensor_msgs/msg/PointCloud2` that it tracks, if any.")
+    detections_topic: str = Field(description="`vision_msgs/msg/Detection3DArray` with the parts' boxes.")
+    joint_states_topic: str | None = Field(description="`sensor_msgs/msg/JointState`, of articulated categories.")
+    frames: list[str] = Field(description="Child frames on /tf, in the order of the parts.")
+
+
 class OpenedSession(BaseModel):
     """A session that has been opened."""
 
@@ -77,6 +86,7 @@ class OpenedSession(BaseModel):
     expires_after_s: float = Field(description="The session ends when no frame comes for so many seconds.")
     encodings: list[str] = Field(description="Encodings of clouds that it reads.")
     zenoh: StreamKeys
+    ros2: Ros2Topics | None = Field(description="Null where the service is no node of ROS 2.")
 
 
 class Counters(BaseModel):
@@ -97,6 +107,7 @@ class SessionState(OpenedSession):
     profile: str = Field(description="Sampling budget.")
     frame_id: str = Field(description="Frame of clouds that name none.")
     idle_timeout_s: float
+    record: bool = Field(description="Whether the service records it.")
     created_ns: int = Field(description="When it was opened, nanoseconds since 1970.")
     counters: Counters
     last_result: Result

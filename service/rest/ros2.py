@@ -1,12 +1,27 @@
 """From what a client wants ROS 2 to see of a session to its names there."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
-from service.rejections import UnsupportedOptionError
+from service.rejections import InvalidRequestError, UnsupportedOptionError
 from service.rest.inputs import NewSession
 from service.ros2.options import Ros2Options, default_name
 from service.security.wiring import clouds_need_secrets
+from service.session import Session
 from service.settings import Settings
+
+
+def check_name_free(body: NewSession, sessions: Iterable[Session]) -> None:
+    """Refuse a name that an open session has: both would publish to the same topics and frames.
+
+    Raises:
+        InvalidRequestError: one has it.
+    """
+    name = None if body.ros2 is None else body.ros2.name
+    for session in sessions:
+        if name is not None and session.record.ros2 is not None and session.record.ros2.name == name:
+            raise InvalidRequestError(
+                f"/body/ros2/name: session {session.session_id} is called {name!r} already: choose another name"
+            )
 
 
 def ros2_names(body: NewSession, settings: Settings) -> Callable[[str], Ros2Options | None]:

@@ -36,7 +36,7 @@ from service.rest.options import track_options_of
 from service.rest.outputs import OpenedSession, Result, Sessions, SessionState
 from service.rest.poses import pose_of
 from service.rest.problems import documented
-from service.rest.ros2 import ros2_names
+from service.rest.ros2 import check_name_free, ros2_names
 from service.rest.views import opened, state_of
 from service.security.secrets import new_secret
 from service.security.wiring import clouds_need_secrets
@@ -70,6 +70,7 @@ async def open_session(
     body: NewSession, request: Request, response: Response, service: Service, threads: OnThread
 ) -> OpenedSession:
     """Open a session: say what is tracked and where every part is in the first cloud."""
+    check_name_free(body, service.registry.sessions())
     order, secret = order_of(body, service.settings), None
     if clouds_need_secrets(service.settings):
         secret = new_secret()

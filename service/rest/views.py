@@ -2,7 +2,7 @@
 
 from dataclasses import asdict
 
-from service.rest.outputs import Counters, OpenedSession, Result, SessionState, StreamKeys
+from service.rest.outputs import Counters, OpenedSession, Result, Ros2Topics, SessionState, StreamKeys
 from service.session import Session
 from service.tracking_service import TrackingService
 
@@ -18,6 +18,7 @@ def opened(session: Session, service: TrackingService, host: str) -> OpenedSessi
         expires_after_s=session.liveness.expires_after_s,
         encodings=list(session.codecs.encodings),
         zenoh=stream_keys(session, service, host),
+        ros2=ros2_topics(session),
     )
 
 
@@ -29,9 +30,23 @@ def state_of(session: Session, service: TrackingService, host: str) -> SessionSt
         profile=record.profile,
         frame_id=record.frame_id,
         idle_timeout_s=record.idle_timeout_s,
+        record=record.record,
         created_ns=record.created_ns,
         counters=Counters(**asdict(ledger.counts), rejected_by_reason=ledger.rejected_by_reason),
         last_result=Result.model_validate_json(session.last_result.to_json()),
+    )
+
+
+def ros2_topics(session: Session) -> Ros2Topics | None:
+    """Where a session is reached in ROS 2, if it is."""
+    names, category = session.record.ros2, session.category
+    if names is None:
+        return None
+    return Ros2Topics(
+        points_topic=names.points_topic,
+        detections_topic=names.detections_topic,
+        joint_states_topic=names.joints_topic if category.joints else None,
+        frames=[names.frame_of(part) for part in category.parts],
     )
 
 

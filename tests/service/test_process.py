@@ -15,7 +15,7 @@ from typing import IO
 import httpx
 import pytest
 
-from tests.service.support import Camera, blob, f32, free_endpoint, inbox, session_body, zenoh_client
+from tests.service.support import Camera, blob, f32, free_endpoint, inbox, session_body, token_inbox, zenoh_client
 
 ROOT = Path(__file__).parents[2]
 ENDS_WITHIN_S = 5
@@ -103,7 +103,8 @@ def signal_when_sent(service: subprocess.Popen[str], body: bytes) -> Iterator[by
 
 
 def test_service_of_the_command_line_serves_without_torch(tmp_path: Path) -> None:
-    arguments = ("--port", "0", "--zenoh-listen", free_endpoint(), "--models-dir", str(tmp_path))
+    endpoint = free_endpoint()
+    arguments = ("--port", "0", "--zenoh-listen", endpoint, "--models-dir", str(tmp_path), "--ros2")
     script = f"""
 import atexit, sys, typer
 atexit.register(lambda: print("torch" in sys.modules, "onnxruntime" in sys.modules))
@@ -115,6 +116,8 @@ typer.run(serve)
     with process("-c", script) as service:
         url = entry(stream(service.stderr), "serving")["http"]
         assert httpx.get(f"{url}/v1/health/live").status_code == 200
+        with zenoh_client(endpoint) as network:
+            assert str(token_inbox(network, "@ros2_lv/0/*/0/0/NN/**").sample(0).key_expr).endswith("/captra")
         service.send_signal(signal.SIGTERM)
         assert service.wait(ENDS_WITHIN_S) == 0
         assert stream(service.stdout).read() == "False True\n"

@@ -16,7 +16,7 @@ def test_post_opens_a_session(service: Running) -> None:
     opened = answer.json()
     session_id = opened["session_id"]
     assert answer.headers["Location"] == f"/v1/sessions/{session_id}"
-    assert set(opened) == {"session_id", "category", "state", "expires_after_s", "encodings", "zenoh"}
+    assert set(opened) == {"session_id", "category", "state", "expires_after_s", "encodings", "zenoh", "ros2"}
     assert (opened["category"], opened["state"]) == ("mug", "tracking")
     assert opened["expires_after_s"] == pytest.approx(42, abs=1)
     assert opened["encodings"] == [F32, I16, "application/cdr"]

@@ -188,10 +188,24 @@ def test_names_that_are_none_are_refused(node: Running, ros2: dict[str, str], po
     assert (answer.status_code, answer.json()["errors"][0]["pointer"]) == (422, pointer)
 
 
+def test_the_answer_says_where_to_listen_and_a_name_is_taken_once(node: Running, opened: dict[str, Any]) -> None:
+    assert opened["ros2"] == {
+        "points_topic": POINTS_TOPIC,
+        "detections_topic": "/captra/cup/detections",
+        "joint_states_topic": None,
+        "frames": ["cup/mug"],
+    }
+    assert node.session(opened["session_id"])["ros2"] == opened["ros2"]
+    answer = node.http.post("/v1/sessions", json=session_body(ros2={"name": "cup"}))
+    assert (answer.status_code, answer.json()["reason"]) == (422, "invalid-request")
+    assert opened["session_id"] in answer.json()["detail"]
+
+
 def test_without_the_option_it_is_refused_with_what_to_do(service: Running) -> None:
     answer = service.http.post("/v1/sessions", json=session_body(ros2=ROS2))
     assert (answer.status_code, answer.json()["reason"]) == (422, "unsupported-option")
     assert "--ros2" in answer.json()["detail"]
+    assert service.open_session()["ros2"] is None
 
 
 def test_topics_do_not_get_around_secrets() -> None:
