@@ -7,9 +7,11 @@ from pathlib import Path
 
 from captra import depth_images, observations, sampling
 from captra.health import HealthMonitor
-from captra.runtime.bundle import BundleError, find_bundles, load_manifest
+from captra.runtime.bundle import BundleError, find_bundles, load_manifest, verify
+from captra.runtime.cores import available_cores
 from captra.runtime.onnx_networks import OnnxNetworks
 from captra.sampling import PROFILES
+from captra.side_by_side import WhileCoresAreFree
 from service.networks import Engine, LoadedOnce, Model, NoModelError
 from service.rejections import CategoryWithoutModelError, ModelNotLoadableError, RejectedError
 from service.warmup import warm_up
@@ -20,17 +22,26 @@ logger = logging.getLogger(__name__)
 class BundleNetworks:
     """The provider of a running service: what is in the folder when it starts is what can be tracked."""
 
-    def __init__(self, models_dir: Path, first_profile: str, provider: str, threads: int | None) -> None:
+    def __init__(
+        self,
+        models_dir: Path,
+        first_profile: str,
+        provider: str,
+        threads: int | None,
+        preload: Sequence[str] = (),
+    ) -> None:
         self._models_dir = models_dir
         self._first_profile = first_profile
         self._provider = provider
         self._threads = threads
+        self._preload = preload
+        self._side_by_side = WhileCoresAreFree(threads or available_cores())
         self._bundles = find_bundles(models_dir) if models_dir.is_dir() else {}
         self._errors: dict[str, str] = {}
         self._networks = LoadedOnce(self._load)
 
     def prepare(self) -> None:
-        """Compile the kernels, load every bundle for the first profile and run it once.
+        """Compile the kernels, look at every bundle, load those asked for, or else one, and run them once.
 
         Raises:
             NoModelError: not one bundle can be used.
@@ -38,17 +49,34 @@ class BundleNetworks:
         sampling.warm_up()
         observations.warm_up()
         depth_images.warm_up()
-        for category in self._bundles:
-            try:
-                self.get(category, self._first_profile)
-            except RejectedError as rejection:
-                logger.error("%s", rejection, extra={"category": category})
+        self._check_files()
+        for category in self._preload:
+            self._try(category)
+        if not self._preload:
+            next(filter(self._try, self._bundles), None)
         if len(self._errors) == len(self._bundles):
             reasons = "; ".join(self._errors.values()) or "there is none"
             raise NoModelError(
                 f"no model can be used in {self._models_dir} ({reasons}): put bundles there with captra export, "
                 "or set CAPTRA_MODELS_DIR to the folder that holds them"
             )
+
+    def _check_files(self) -> None:
+        """Tell of damaged bundles before anybody asks for them."""
+        for category, folder in self._bundles.items():
+            try:
+                verify(folder, load_manifest(folder))
+            except BundleError as error:
+                self._errors[category] = str(error)
+                logger.error("%s", error, extra={"category": category})
+
+    def _try(self, category: str) -> bool:
+        try:
+            self.get(category, self._first_profile)
+        except RejectedError as rejection:
+            logger.error("%s", rejection, extra={"category": category})
+            return False
+        return True
 
     def get(self, category: str, profile: str) -> Engine:
         """Networks of a category, loaded now unless they are already.
@@ -72,7 +100,7 @@ class BundleNetworks:
     def _load(self, category: str, profile: str) -> OnnxNetworks:
         folder = self._bundles[category]
         try:
-            networks = OnnxNetworks.load(folder, PROFILES[profile], self._provider, self._threads)
+            networks = OnnxNetworks.load(folder, PROFILES[profile], self._provider, self._threads, self._side_by_side)
             if networks.category.name != category:
                 raise BundleError(f"it is of {networks.category.name}: call its folder so")
             warm_up(engine_of(networks))

@@ -30,7 +30,7 @@ def build_service(settings: Settings) -> TrackingService:
     """
     return TrackingService(
         settings,
-        BundleNetworks(settings.models_dir, settings.profile, settings.provider, settings.threads),
+        BundleNetworks(settings.models_dir, settings.profile, settings.provider, settings.threads, settings.preload),
         SqliteSessionStore(settings.state_dir / f"{settings.service}.sqlite"),
         build_transport(settings),
     )

@@ -79,6 +79,9 @@ class Settings(BaseSettings):
     """Name of this deployment in every Zenoh key; another process that takes the deployment over keeps it."""
     models_dir: Path = shipped.MODELS
     """Folder of model bundles, one a category."""
+    preload: tuple[str, ...] = ()
+    """Categories whose networks are in memory before the service is ready. Others follow when a session of theirs is
+    opened, which holds up the frames of all for a moment; without any, the first one that can be loaded is."""
     recordings_dir: Path = shipped.RECORDINGS
     """Folder of recordings that the live page offers to play."""
     state_dir: Path = Field(default_factory=lambda: Path.home() / ".local" / "state" / "captra")

@@ -158,6 +158,7 @@ def axis_lengths(profile: Profile) -> dict[str, int]:
 def _session(path: Path, lengths: Mapping[str, int], provider: Provider, threads: int) -> Any:
     import onnxruntime
 
+    onnxruntime.disable_telemetry_events()
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = threads
     options.inter_op_num_threads = 1

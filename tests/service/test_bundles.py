@@ -1,6 +1,7 @@
 """Networks from bundles on disk, without a network that could be loaded."""
 
 import json
+import shutil
 from pathlib import Path
 
 import pytest
@@ -9,10 +10,11 @@ from captra.runtime.bundle import Manifest, Training, sha256_of, write_manifest
 from service.bundles import BundleNetworks
 from service.networks import NoModelError
 from service.rejections import CategoryWithoutModelError, ModelNotLoadableError
+from tests import made_up
 
 
-def provider_of(models_dir: Path) -> BundleNetworks:
-    return BundleNetworks(models_dir, "realtime", "cpu", threads=1)
+def provider_of(models_dir: Path, preload: tuple[str, ...] = ()) -> BundleNetworks:
+    return BundleNetworks(models_dir, "realtime", "cpu", threads=1, preload=preload)
 
 
 def write_bundle(
@@ -70,3 +72,34 @@ def test_category_without_bundle_names_those_that_have_one(tmp_path: Path) -> No
     write_bundle(tmp_path / "mug")
     with pytest.raises(CategoryWithoutModelError, match="mug"):
         provider_of(tmp_path).get("bottle", "realtime")
+
+
+@pytest.fixture(scope="module")
+def three_bundles(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("models")
+    for category in ("bottle", "bowl", "mug"):
+        made_up.write_bundle(category, folder / category)
+    return folder
+
+
+@pytest.mark.parametrize(
+    ("preload", "loaded"), [((), ["bottle"]), (("mug",), ["mug"]), (("mug", "bowl"), ["bowl", "mug"])]
+)
+def test_networks_are_loaded_when_they_are_asked_for(
+    preload: tuple[str, ...], loaded: list[str], three_bundles: Path
+) -> None:
+    provider = provider_of(three_bundles, preload)
+    provider.prepare()
+    assert [model.category for model in provider.models() if model.loaded] == loaded
+    provider.get("bottle", "realtime")
+    assert [model.category for model in provider.models() if model.loaded] == sorted({*loaded, "bottle"})
+
+
+def test_a_damaged_bundle_is_told_before_anybody_asks_for_it(three_bundles: Path, tmp_path: Path) -> None:
+    models = shutil.copytree(three_bundles, tmp_path / "models")
+    (models / "bowl" / "rotation.onnx").write_bytes(b"something else")
+    provider = provider_of(models, ("mug", "teapot"))
+    provider.prepare()
+    errors = {model.category: model.error for model in provider.models()}
+    assert "rotation.onnx" in str(errors["bowl"])
+    assert errors["bottle"] is errors["mug"] is None
