@@ -49,8 +49,12 @@ lint: venv
 image: $(or $(firstword $(wildcard $(VENV)/installed-*)),$(STAMP))
 	$(BIN)/python -m docker.rehearse --runtime $(RUNTIME) $(ARGS)
 
+# A few minutes; ARGS="--provider cpu --provider openvino" compares both.
 bench: venv
-	$(BIN)/captra bench $(ARGS)
+	$(BIN)/python -m benchmarks.untrained .bench/models drawers
+	$(BIN)/captra bench --models .bench/models --recording recordings/mug__sweethome3d-KatorLegaz__coffee-mug__hand.npz \
+		--recording recordings/drawers__sweethome3d-BlendSwap-CC-0__drawersCabinet__hand.npz \
+		--streams 1 --streams 4 --frames 60 --scaling --hop --json .bench/bench.json $(ARGS)
 
 clean:
-	rm -rf $(VENV) build *.egg-info .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) .bench build *.egg-info .mypy_cache .pytest_cache .ruff_cache .hypothesis

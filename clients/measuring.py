@@ -1,8 +1,10 @@
 """Streams recordings through a service of one's own and collects what it says of its time."""
 
+import json
 import os
+import re
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,14 +12,22 @@ from pathlib import Path
 import httpx
 import numpy as np
 
-from captra.bench.runs import BenchRun, Percentiles
+from captra.bench.runs import BenchRun, Percentiles, histogram_percentiles
+from captra.bench.work import multiply_adds
+from captra.categories import Category
 from captra.data.recordings import Recording
+from captra.runtime.bundle import load_manifest
+from captra.runtime.onnx_networks import rotated_points_of
+from captra.sampling import PROFILES
 from clients.results import Result
 from clients.service_process import ServiceProcess
 from clients.session import open_session
 
 WARM_UP_FRAMES = 5
 PATIENCE_S = 60.0
+BUCKET = re.compile(
+    r'captra_stage_seconds_bucket\{.*?le="(?P<bound>[^"]+)".*?stage="(?P<stage>[^"]+)"\} (?P<count>\S+)'
+)
 
 
 @dataclass(frozen=True)
@@ -42,27 +52,37 @@ class Stream:
     """When each arrived, on the clock of `time.perf_counter`."""
 
 
-def measure(models: Path, profile: str, provider: str, loads: Sequence[Load]) -> list[BenchRun]:
-    """Start a service and put one load after the other on it.
+def measure(models: Path, profile: str, provider: str, loads: Sequence[Load], peak_gflops: float) -> list[BenchRun]:
+    """Start a service with the categories of the loads and put one load after the other on it.
 
     Raises:
         ServiceUnreachableError: it does not start, or stops.
     """
     started_s = time.perf_counter()
+    categories = sorted({load.recording.category.name for load in loads})
     settings = {"CAPTRA_MODELS_DIR": str(models), "CAPTRA_PROFILE": profile, "CAPTRA_PROVIDER": provider}
+    settings["CAPTRA_PRELOAD"] = json.dumps(categories)
     with ServiceProcess(settings) as service:
         ready_s = time.perf_counter() - started_s
-        return [measure_load(service, profile, provider, load, ready_s) for load in loads]
+        return [measure_load(service, models, profile, provider, load, ready_s, peak_gflops) for load in loads]
 
 
-def measure_load(service: ServiceProcess, profile: str, provider: str, load: Load, ready_s: float) -> BenchRun:
+def measure_load(
+    service: ServiceProcess,
+    models: Path,
+    profile: str,
+    provider: str,
+    load: Load,
+    ready_s: float,
+    peak_gflops: float,
+) -> BenchRun:
     """Every frame is sent when the answer to the one before it is there."""
     with ThreadPoolExecutor(load.streams) as pool:
         list(pool.map(lambda _: follow(service.url, load.recording, WARM_UP_FRAMES), range(load.streams)))
-        before, cpu_s, started_s = stage_sums(service.url), cpu_seconds(service.pid), time.perf_counter()
+        before, cpu_s, started_s = stage_counts(service.url), cpu_seconds(service.pid), time.perf_counter()
         measured = list(pool.map(lambda _: follow(service.url, load.recording, load.frames), range(load.streams)))
         elapsed_s, cpu_s = time.perf_counter() - started_s, cpu_seconds(service.pid) - cpu_s
-        after = stage_sums(service.url)
+        after = stage_counts(service.url)
     timings = [result.timing_ms for stream in measured for result in stream.results]
     first_done_s = min(stream.done_s[-1] for stream in measured)
     done = [int(np.searchsorted(stream.done_s, first_done_s, side="right")) for stream in measured]
@@ -79,12 +99,20 @@ def measure_load(service: ServiceProcess, profile: str, provider: str, load: Loa
         sample=Percentiles.of([timing.sample for timing in timings]),
         networks=Percentiles.of([timing.infer for timing in timings]),
         fit=Percentiles.of([timing.solve for timing in timings]),
-        decode_mean_ms=1e3 * (after["decode"] - before["decode"]) / len(timings),
-        publish_mean_ms=1e3 * (after["publish"] - before["publish"]) / len(timings),
+        decode=_between(before, after, "decode"),
+        publish=_between(before, after, "publish"),
         cpu_ms_per_frame=1e3 * cpu_s / len(timings),
         resident_mib=resident_mib(service.pid),
         ready_s=ready_s,
+        multiply_adds=_multiply_adds(models, load.recording.category, profile),
+        gemm_peak_gflops=peak_gflops,
     )
+
+
+def _multiply_adds(models: Path, category: Category, profile_name: str) -> int:
+    profile = PROFILES[profile_name]
+    share = load_manifest(models / category.name).rotation_share
+    return multiply_adds(category, profile, rotated_points_of(share, profile))
 
 
 def follow(url: str, recording: Recording, frames: int) -> Stream:
@@ -99,17 +127,19 @@ def follow(url: str, recording: Recording, frames: int) -> Stream:
     return Stream(results, done_s)
 
 
-def stage_sums(url: str) -> dict[str, float]:
-    """Seconds that each stage has taken so far, from the service's metrics; 0 for those that never ran."""
-    return {"decode": 0.0, "publish": 0.0} | dict(_sums(httpx.get(f"{url}/metrics").raise_for_status().text))
+def stage_counts(url: str) -> dict[str, dict[float, float]]:
+    """How many frames took at most so many seconds for each stage, from the service's metrics."""
+    counts: dict[str, dict[float, float]] = {}
+    for line in httpx.get(f"{url}/metrics").raise_for_status().text.splitlines():
+        if found := BUCKET.match(line):
+            counts.setdefault(found["stage"], {})[float(found["bound"])] = float(found["count"])
+    return counts
 
 
-def _sums(metrics: str) -> Iterator[tuple[str, float]]:
-    prefix = 'captra_stage_seconds_sum{stage="'
-    for line in metrics.splitlines():
-        if line.startswith(prefix):
-            stage, _, value = line.removeprefix(prefix).partition('"} ')
-            yield stage, float(value)
+def _between(before: dict[str, dict[float, float]], after: dict[str, dict[float, float]], stage: str) -> Percentiles:
+    bounds = sorted(after[stage])
+    cumulative = [after[stage][bound] - before.get(stage, {}).get(bound, 0.0) for bound in bounds]
+    return histogram_percentiles(bounds, np.diff(cumulative, prepend=0.0).tolist())
 
 
 def cpu_seconds(pid: int) -> float:

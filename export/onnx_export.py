@@ -13,10 +13,9 @@ import numpy as np
 import onnx
 from onnx import TensorProto
 
+from captra.architecture import FEATURES, XYZ
 from captra.learn.coordinate_net import CoordinateNet
 from captra.learn.pointnet2 import (
-    FEATURES,
-    XYZ,
     Backbone,
     FeaturePropagation,
     GlobalAbstraction,

@@ -9,7 +9,26 @@ from captra.health import State
 from service.liveness import CloseReason
 from service.rejections import FRAME_REASONS, REQUEST_REASONS
 
-STAGE_BUCKETS_S = (0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.033, 0.05, 0.067, 0.1, 0.2, 0.5, 1.0, 2.0)
+STAGE_BUCKETS_S = (
+    0.00002,
+    0.00005,
+    0.0001,
+    0.0002,
+    0.0005,
+    0.001,
+    0.002,
+    0.005,
+    0.01,
+    0.02,
+    0.033,
+    0.05,
+    0.067,
+    0.1,
+    0.2,
+    0.5,
+    1.0,
+    2.0,
+)
 CONFIDENCE_BUCKETS = (0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95, 0.99, 1.0)
 
 

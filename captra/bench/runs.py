@@ -57,13 +57,73 @@ class BenchRun:
     """Both networks."""
     fit: Percentiles
     """Fits and health."""
-    decode_mean_ms: float
-    """From bytes to points, the mean."""
-    publish_mean_ms: float
-    """Handing the result to Zenoh, the mean."""
+    decode: Percentiles
+    """From bytes to points; interpolated within the buckets of the service's histogram."""
+    publish: Percentiles
+    """Handing the result to Zenoh; likewise."""
     cpu_ms_per_frame: float
     """CPU time of the service."""
     resident_mib: float
-    """Resident set of the service after the run, with every bundle of the folder loaded."""
+    """Resident set of the service after the run, with the networks of all categories measured loaded."""
     ready_s: float
     """From the start of the process until it could track."""
+    multiply_adds: int
+    """Of the networks, a frame."""
+    gemm_peak_gflops: float
+    """Of both cores with this provider, measured in the same run."""
+
+    @property
+    def peak_share(self) -> float:
+        """What the networks reach of the peak in the median frame; streams side by side share it."""
+        return 2e-6 * self.multiply_adds / self.networks.p50 / self.gemm_peak_gflops
+
+
+@dataclass(frozen=True)
+class ScalingRow:
+    """One step of a tracker without service, at some number of points; medians in milliseconds."""
+
+    category: str
+    """Of the object."""
+    parts: int
+    """Of the object."""
+    points: int
+    """Given to the networks, with the groups of the profile `realtime`."""
+    provider: str
+    """Of onnxruntime."""
+    sample_ms: float
+    """Crop, farthest points, neighbourhoods."""
+    networks_ms: float
+    """Both networks."""
+    fit_ms: float
+    """Fits and health."""
+    multiply_adds: int
+    """Of the networks."""
+
+
+@dataclass(frozen=True)
+class Hop:
+    """Round trips of a payload through a Zenoh router on loopback, there and back."""
+
+    payload_bytes: int
+    """Size."""
+    round_trip: Percentiles
+    """Milliseconds."""
+
+
+def histogram_percentiles(bounds_s: Sequence[float], counts: Sequence[float]) -> Percentiles:
+    """Milliseconds, interpolated evenly within buckets; beyond the last bound its own value.
+
+    Args:
+        bounds_s: upper bounds of the buckets, ascending; the last one may be infinite.
+        counts: observations in each bucket.
+
+    Raises:
+        ValueError: nothing was measured.
+    """
+    total = sum(counts)
+    if not total:
+        raise ValueError("nothing was measured")
+    edges = np.array([0.0, *bounds_s])
+    edges[~np.isfinite(edges)] = edges[np.isfinite(edges)].max()
+    reached = np.concatenate([[0.0], np.cumsum(counts)]) / total
+    return Percentiles(*(float(1e3 * np.interp(share, reached, edges)) for share in (0.50, 0.95, 0.99)))

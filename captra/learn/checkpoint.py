@@ -9,11 +9,11 @@ from typing import Any, cast
 import torch
 from torch import Tensor, nn
 
+from captra.architecture import GLOBAL_CHANNELS, HEAD_CHANNELS, LEVEL1_CHANNELS, LEVEL2_CHANNELS, XYZ
 from captra.categories import Category
 from captra.errors import UserError
 from captra.learn.coordinate_net import CoordinateNet
-from captra.learn.pointnet2 import GLOBAL_CHANNELS, LEVEL1_CHANNELS, LEVEL2_CHANNELS, XYZ
-from captra.learn.rotation_net import HEAD_CHANNELS, RotationNet
+from captra.learn.rotation_net import RotationNet
 
 AUTHORS_PREFIX = "net."
 DOUBLED_SKIP = "net.backbone.fp1.mlp_convs.0"

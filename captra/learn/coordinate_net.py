@@ -4,7 +4,8 @@ import torch
 from jaxtyping import Float
 from torch import Tensor, nn
 
-from captra.learn.pointnet2 import FEATURES, XYZ, Backbone, NormalizedLinear, TorchNeighborhoods
+from captra.architecture import FEATURES, XYZ
+from captra.learn.pointnet2 import Backbone, NormalizedLinear, TorchNeighborhoods
 
 
 class CoordinateNet(nn.Module):

@@ -14,15 +14,18 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor, nn
 
+from captra.architecture import (
+    FEATURES,
+    GLOBAL_CHANNELS,
+    LEVEL1_CHANNELS,
+    LEVEL2_CHANNELS,
+    UP1_CHANNELS,
+    UP2_CHANNELS,
+    UP3_CHANNELS,
+    XYZ,
+)
 from captra.learn.fused import grouped_difference, interpolate, norm_relu, norm_relu_max
 from captra.sampling import Neighborhoods
-
-XYZ = 3
-LEVEL1_CHANNELS = ((32, 32, 64), (64, 64, 128), (64, 96, 128))
-LEVEL2_CHANNELS = ((128, 128, 256), (128, 196, 256))
-GLOBAL_CHANNELS = (256, 512, 1024)
-FEATURES = 128
-"""Channels of the backbone's output."""
 
 
 class TorchNeighborhoods(NamedTuple):
@@ -225,10 +228,10 @@ class Backbone(nn.Module):
         self.level1 = SetAbstraction(0, LEVEL1_CHANNELS, positions=positions)
         self.level2 = SetAbstraction(self.level1.outputs, LEVEL2_CHANNELS)
         self.level3 = GlobalAbstraction(self.level2.outputs, GLOBAL_CHANNELS)
-        self.up3 = FeaturePropagation(self.level2.outputs, GLOBAL_CHANNELS[-1], (256, 256))
-        self.up2 = FeaturePropagation(self.level1.outputs, 256, (256, 128))
-        self.up1 = FeaturePropagation(XYZ, 128, (128, 128))
-        self.last = NormalizedLinear(128, FEATURES)
+        self.up3 = FeaturePropagation(self.level2.outputs, GLOBAL_CHANNELS[-1], UP3_CHANNELS)
+        self.up2 = FeaturePropagation(self.level1.outputs, UP3_CHANNELS[-1], UP2_CHANNELS)
+        self.up1 = FeaturePropagation(XYZ, UP2_CHANNELS[-1], UP1_CHANNELS)
+        self.last = NormalizedLinear(UP1_CHANNELS[-1], FEATURES)
 
     def forward(
         self, points: Float[Tensor, "batch points 3"], neighborhoods: TorchNeighborhoods

@@ -6,10 +6,10 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor, nn
 
+from captra.architecture import FEATURES, HEAD_CHANNELS
 from captra.learn.fused import cloud_norm_relu
-from captra.learn.pointnet2 import FEATURES, Backbone, TorchNeighborhoods
+from captra.learn.pointnet2 import Backbone, TorchNeighborhoods
 
-HEAD_CHANNELS = (512, 512, 256)
 CHANNELS_PER_GROUP = 2
 
 

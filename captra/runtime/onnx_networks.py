@@ -76,13 +76,13 @@ class OnnxNetworks:
             )
         threads = threads or available_cores()
         available = onnxruntime.get_available_providers()
-        rotated = max(1, round(manifest.rotation_share * profile.points))
+        rotated = rotated_points_of(manifest.rotation_share, profile)
         lengths = axis_lengths(profile) | {"H": rotated}
         sessions = []
         for name, parts in ((COORDINATE, 1), (ROTATION, category.num_parts)):
             runs = runs_at_a_time(threads, parts)
             chosen = choose_provider(provider, threads, available, runs=runs)
-            sessions.append(_session(bundle_folder / name, lengths, chosen, -(-threads // runs)))
+            sessions.append(open_session(bundle_folder / name, lengths, chosen, -(-threads // runs)))
         shared = side_by_side or WhileCoresAreFree(threads)
         return cls(manifest, category, profile, chosen, threads, rotated, shared, *sessions)
 
@@ -120,6 +120,11 @@ class OnnxNetworks:
         return rotation  # type: ignore[no-any-return]
 
 
+def rotated_points_of(share: float, profile: Profile) -> int:
+    """How many points RotationNet answers for."""
+    return max(1, round(share * profile.points))
+
+
 def runs_at_a_time(threads: int, parts: int) -> int:
     """How many runs of a graph share the threads.
 
@@ -155,7 +160,8 @@ def axis_lengths(profile: Profile) -> dict[str, int]:
     }
 
 
-def _session(path: Path, lengths: Mapping[str, int], provider: Provider, threads: int) -> Any:
+def open_session(path: Path, lengths: Mapping[str, int], provider: Provider, threads: int) -> Any:
+    """A graph ready to run, with the lengths of its dynamic axes fixed."""
     import onnxruntime
 
     onnxruntime.disable_telemetry_events()
