@@ -28,7 +28,7 @@ from captra.bench.machine import this_machine
 from captra.bench.runs import BenchRun
 from captra.data.recordings import load_recording
 from clients.demo import COFFEE_MUG
-from clients.measuring import Load, measure_load
+from clients.measuring import Load, Setup, measure_load
 from clients.service_process import ServiceProcess
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -78,7 +78,7 @@ def main(
         for number in range(2 * rounds):
             watching = viewers * ((number + number // 2) % 2)  # 0 2 2 0 0 2 …: neither always comes first
             with watched(service.url, watching) as seen:
-                run = measure_load(service, profile, provider, load, 0.0)
+                run = measure_load(service, Setup(models, profile, provider), load)
             measured.append(Round(watching, run, seen))
     console.print(table(measured, viewers))
 

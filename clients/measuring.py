@@ -43,6 +43,22 @@ class Load:
 
 
 @dataclass(frozen=True)
+class Setup:
+    """How the service that is measured was started."""
+
+    models: Path
+    """Folder of bundles."""
+    profile: str
+    """Of sessions."""
+    provider: str
+    """Of onnxruntime."""
+    ready_s: float = 0.0
+    """How long it took to be ready."""
+    peak_gflops: float = float("inf")
+    """Of matrix products; unknown by default, and so is what the networks reach of it."""
+
+
+@dataclass(frozen=True)
 class Stream:
     """What came back in one session."""
 
@@ -63,19 +79,11 @@ def measure(models: Path, profile: str, provider: str, loads: Sequence[Load], pe
     settings = {"CAPTRA_MODELS_DIR": str(models), "CAPTRA_PROFILE": profile, "CAPTRA_PROVIDER": provider}
     settings["CAPTRA_PRELOAD"] = json.dumps(categories)
     with ServiceProcess(settings) as service:
-        ready_s = time.perf_counter() - started_s
-        return [measure_load(service, models, profile, provider, load, ready_s, peak_gflops) for load in loads]
+        setup = Setup(models, profile, provider, time.perf_counter() - started_s, peak_gflops)
+        return [measure_load(service, setup, load) for load in loads]
 
 
-def measure_load(
-    service: ServiceProcess,
-    models: Path,
-    profile: str,
-    provider: str,
-    load: Load,
-    ready_s: float,
-    peak_gflops: float,
-) -> BenchRun:
+def measure_load(service: ServiceProcess, setup: Setup, load: Load) -> BenchRun:
     """Every frame is sent when the answer to the one before it is there."""
     with ThreadPoolExecutor(load.streams) as pool:
         list(pool.map(lambda _: follow(service.url, load.recording, WARM_UP_FRAMES), range(load.streams)))
@@ -88,8 +96,8 @@ def measure_load(
     done = [int(np.searchsorted(stream.done_s, first_done_s, side="right")) for stream in measured]
     return BenchRun(
         category=load.recording.category.name,
-        profile=profile,
-        provider=provider,
+        profile=setup.profile,
+        provider=setup.provider,
         streams=load.streams,
         frames=len(timings),
         fps=len(timings) / elapsed_s,
@@ -103,15 +111,15 @@ def measure_load(
         publish=_between(before, after, "publish"),
         cpu_ms_per_frame=1e3 * cpu_s / len(timings),
         resident_mib=resident_mib(service.pid),
-        ready_s=ready_s,
-        multiply_adds=_multiply_adds(models, load.recording.category, profile),
-        gemm_peak_gflops=peak_gflops,
+        ready_s=setup.ready_s,
+        multiply_adds=_multiply_adds(setup, load.recording.category),
+        gemm_peak_gflops=setup.peak_gflops,
     )
 
 
-def _multiply_adds(models: Path, category: Category, profile_name: str) -> int:
-    profile = PROFILES[profile_name]
-    share = load_manifest(models / category.name).rotation_share
+def _multiply_adds(setup: Setup, category: Category) -> int:
+    profile = PROFILES[setup.profile]
+    share = load_manifest(setup.models / category.name).rotation_share
     return multiply_adds(category, profile, rotated_points_of(share, profile))
 
 
