@@ -54,7 +54,7 @@ def track(
     from clients.console import errors_for_people, view_for
     from clients.playback import play_through
     from clients.replay import replay
-    from clients.report import means_of, table_of
+    from clients.report import advice, means_of, table_of
 
     console, playbacks = Console(), []
     sessions = [path for path in recordings if path.suffix == ".mcap"]
@@ -74,7 +74,7 @@ def track(
                 encoding=encoding,
                 record=file_for(record, path, len(recordings)),
             )
-        console.print(table_of(playback))
+        console.print(table_of(playback), advice(playback) or "", sep="\n", highlight=False)
         playbacks.append(playback)
     if len(playbacks) > 1:
         Console(width=WIDTH).print(means_of(playbacks))

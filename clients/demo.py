@@ -32,7 +32,7 @@ def demo(
     from captra.data.recordings import load_recording
     from clients.console import errors_for_people, view_for
     from clients.playback import play_through
-    from clients.report import failure, table_of
+    from clients.report import advice, failure, table_of
     from clients.service_process import ServiceProcess
 
     console = Console()
@@ -45,7 +45,7 @@ def demo(
                 playback = play_through(
                     service.url, played, view, as_fast_as_possible=as_fast_as_possible, profile=profile
                 )
-    console.print(table_of(playback))
+    console.print(table_of(playback), advice(playback) or "", sep="\n", highlight=False)
     reason = failure(playback)
     console.print("The track held." if reason is None else f"The track did not hold: {reason}.", highlight=False)
     raise typer.Exit(0 if reason is None else 1)

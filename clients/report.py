@@ -14,6 +14,8 @@ from clients.playback import Playback
 
 HELD_DEG = 10.0
 HELD_CM = 5.0
+SPARSE = 0.5
+"""Share of answered frames below which drops spoil a track."""
 
 Row = tuple[str, str]
 
@@ -85,6 +87,18 @@ def percentiles(milliseconds: Sequence[float]) -> str:
     """p50 / p95 / p99."""
     values = np.percentile(milliseconds, (50, 95, 99))
     return " / ".join(f"{value:.1f}" for value in values) + " ms"
+
+
+def advice(playback: Playback) -> str | None:
+    """What to do where so many frames went unanswered that the object leaps from one to the next."""
+    sent, answered = len(playback.recording), len(playback.results) + len(playback.rejections)
+    if answered >= SPARSE * sent:
+        return None
+    return (
+        f"Only {answered} of {sent} frames were answered: the service does not keep up with this rate, and what moves "
+        "far between two answers is hard to follow. --as-fast-as-possible waits for each answer; captra bench tells "
+        "where the time goes."
+    )
 
 
 def failure(playback: Playback) -> str | None:

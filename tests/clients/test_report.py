@@ -8,7 +8,7 @@ from rich.console import Console
 from captra.health import State
 from clients import Event
 from clients.playback import Playback
-from clients.report import failure, means_of, percentiles, table_of
+from clients.report import advice, failure, means_of, percentiles, table_of
 from tests.clients.test_playback import perfect, playback, result
 
 TURNED_20_DEG = (0.0, float(np.sin(np.radians(10))), 0.0, float(np.cos(np.radians(10))))
@@ -107,3 +107,11 @@ def test_several_recordings_end_with_their_mean() -> None:
     assert table.row_count == 3
     assert list(table.columns[0].cells)[-1] == "all: mean of 2 recordings"
     assert list(table.columns[1].cells) == ["100.0"] * 3
+
+
+def test_a_service_that_does_not_keep_up_is_told_of() -> None:
+    assert advice(playback(perfect())) is None
+    told = advice(playback(perfect()[:3]))
+    assert told is not None
+    assert told.startswith("Only 3 of 8 frames were answered")
+    assert "--as-fast-as-possible" in told
