@@ -1,5 +1,6 @@
 """Reads what a session's file holds, whether its writer closed it or died."""
 
+import base64
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
@@ -10,6 +11,7 @@ from mcap.reader import NonSeekingReader, make_reader
 from mcap.writer import Writer
 
 from captra.data.recordings import RecordingError
+from captra.recording.writer import PAYLOAD_ON, POINT_CLOUD2
 
 
 def messages(path: Path) -> Iterator[tuple[str, Mapping[str, Any]]]:
@@ -20,9 +22,15 @@ def messages(path: Path) -> Iterator[tuple[str, Mapping[str, Any]]]:
     """
     try:
         with path.open("rb") as file:
+            cloud = b""
             for schema, _, message in make_reader(file).iter_messages(log_time_order=False):
-                if schema is not None and schema.name.startswith("captra."):
-                    yield schema.name, orjson.loads(message.data)
+                name = "" if schema is None else schema.name
+                if name == POINT_CLOUD2:
+                    cloud = message.data
+                elif name.startswith("captra."):
+                    body = orjson.loads(message.data)
+                    kept = {"payload": base64.b64encode(cloud).decode()} if PAYLOAD_ON in body else {}
+                    yield name, body | kept
     except (McapError, orjson.JSONDecodeError) as error:
         raise RecordingError(f"{path} is no whole MCAP recording ({error}): record it again") from error
 

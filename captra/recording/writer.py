@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import orjson
-from mcap.writer import Writer
+from mcap.writer import CompressionType, Writer
 
 from captra.geometry import Pose
 from captra.recording.foxglove import SCHEMAS, Result, boxes, point_cloud, transforms
@@ -18,6 +18,9 @@ SESSION, FRAME, RESULT, EVENT, RESET = "captra.Session", "captra.Frame", "captra
 """Messages of our own, as JSON: what a replay needs."""
 TRUTH = "captra.Truth"
 """Where the object really was, of recordings that know."""
+CLOUD_TOPIC = "/cloud"
+PAYLOAD_ON = "payload_on"
+"""Says that a frame's payload is the message before it on this topic."""
 TOPICS = {
     SESSION: "/captra/session",
     FRAME: "/captra/frames",
@@ -25,7 +28,7 @@ TOPICS = {
     EVENT: "/captra/events",
     RESET: "/captra/resets",
     TRUTH: "/captra/truth",
-    "foxglove.PointCloud": "/cloud",
+    "foxglove.PointCloud": CLOUD_TOPIC,
     "foxglove.FrameTransforms": "/tf",
     "foxglove.SceneUpdate": "/boxes",
 }
@@ -44,7 +47,7 @@ class SessionWriter:
 
     def __init__(self, path: Path) -> None:
         self._file = path.open("wb")
-        self._writer = Writer(self._file)
+        self._writer = Writer(self._file, compression=CompressionType.LZ4)  # keeps up with full clouds of a camera
         self._writer.start(profile="", library="captra")
         self._channels: dict[str, int] = {}
         for name, topic in TOPICS.items():
@@ -63,35 +66,43 @@ class SessionWriter:
     def session(self, body: Mapping[str, Any]) -> None:
         """The body of the POST that opened the session."""
         self._frame_id = str(body.get("frame_id", DEFAULT_FRAME_ID))
-        self._write(SESSION, orjson.dumps(body))
+        self._write((SESSION, orjson.dumps(body)))
 
     def frame(self, seq: int, stamp_ns: int, encoding: str, payload: bytes, mask: bytes, shown: Shown) -> None:
-        """A frame as it was sent, with its mask or box, and what it shows."""
-        body = {"seq": seq, "stamp_ns": stamp_ns, "encoding": encoding, "payload": base64.b64encode(payload).decode()}
-        self._write(FRAME, orjson.dumps(body | ({"mask": base64.b64encode(mask).decode()} if mask else {})))
+        """A frame as it was sent, with its mask or box, and what it shows; a PointCloud2 is both, and kept once."""
+        body = {"seq": seq, "stamp_ns": stamp_ns, "encoding": encoding}
+        body |= {"mask": base64.b64encode(mask).decode()} if mask else {}
+        if isinstance(shown, bytes) and shown == payload:
+            self._write((POINT_CLOUD2, shown), (FRAME, orjson.dumps(body | {PAYLOAD_ON: CLOUD_TOPIC})))
+            return
+        viewed: list[tuple[str, bytes]] = []
         match shown:
             case bytes():
-                self._write(POINT_CLOUD2, shown)
+                viewed = [(POINT_CLOUD2, shown)]
             case np.ndarray():
-                self._write("foxglove.PointCloud", orjson.dumps(point_cloud(shown, stamp_ns, self._frame_id)))
+                cloud = point_cloud(shown, stamp_ns, self._frame_id)
+                viewed = [("foxglove.PointCloud", orjson.dumps(cloud))]
+        self._write((FRAME, orjson.dumps(body | {"payload": base64.b64encode(payload).decode()})), *viewed)
 
     def result(self, payload: bytes, result: Result) -> None:
         """A result as it came, byte for byte."""
-        self._write(RESULT, payload)
-        self._write("foxglove.FrameTransforms", orjson.dumps(transforms(result)))
-        self._write("foxglove.SceneUpdate", orjson.dumps(boxes(result)))
+        self._write(
+            (RESULT, payload),
+            ("foxglove.FrameTransforms", orjson.dumps(transforms(result))),
+            ("foxglove.SceneUpdate", orjson.dumps(boxes(result))),
+        )
 
     def event(self, payload: bytes) -> None:
         """An event as it came."""
-        self._write(EVENT, payload)
+        self._write((EVENT, payload))
 
     def reset(self, body: Mapping[str, Any]) -> None:
         """The body of a PUT that started the track again."""
-        self._write(RESET, orjson.dumps(body))
+        self._write((RESET, orjson.dumps(body)))
 
     def truth(self, stamp_ns: int, pose: Pose) -> None:
         """The true pose at the time of a frame."""
-        self._write(TRUTH, orjson.dumps({"stamp_ns": stamp_ns, "parts": parts_of(pose)}))
+        self._write((TRUTH, orjson.dumps({"stamp_ns": stamp_ns, "parts": parts_of(pose)})))
 
     def close(self) -> None:
         """Write the index; what comes later is not recorded."""
@@ -105,14 +116,16 @@ class SessionWriter:
         number = self._writer.register_schema(name, schema_encoding, schema)
         self._channels[name] = self._writer.register_channel(topic, encoding, number)
 
-    def _write(self, name: str, data: bytes) -> None:
+    def _write(self, *messages: tuple[str, bytes]) -> None:
+        """One message after the other, with none of another thread between them."""
         now_ns = time.time_ns()
         with self._lock:
             if self._closed:
                 return
-            if name == POINT_CLOUD2 and name not in self._channels:  # takes half a second: for those who need it
-                self._declare(name, "ros2msg", definition_of(name), "/cloud", "cdr")
-            self._writer.add_message(self._channels[name], now_ns, data, now_ns)
+            for name, data in messages:
+                if name == POINT_CLOUD2 and name not in self._channels:  # takes half a second: for those who need it
+                    self._declare(name, "ros2msg", definition_of(name), CLOUD_TOPIC, "cdr")
+                self._writer.add_message(self._channels[name], now_ns, data, now_ns)
 
 
 def parts_of(pose: Pose) -> list[dict[str, Any]]:

@@ -6,10 +6,13 @@ from typing import Any
 
 import numpy as np
 import pytest
+from mcap.reader import make_reader
 
 from captra.recording.reader import messages
 from clients.replay import replay
+from service.codecs import CDR
 from service.sqlite_store import SqliteSessionStore
+from tests.service.ros2.clouds import cdr
 from tests.service.support import Running, blob, f32, i16, running
 
 PERIOD_NS = 33_000_000
@@ -79,6 +82,22 @@ def test_a_recorded_session_is_fetched_and_replays_to_the_last_digit(recording: 
     assert kinds.count("captra.Reset") == 1
     events = [body for name, body in messages(path) if name == "captra.Event"]
     assert events[-1]["kind"] == "closing"
+
+
+def test_a_point_cloud2_is_kept_once_and_replays(recording: Running, folder: Path) -> None:
+    session_id = recording.open_session(record=True)["session_id"]
+    for seq in range(3):
+        sent = recording.post_frame(session_id, cdr(blob((0.004 * seq, 0, 0.5), points=2000)), seq, CDR)
+        assert sent.status_code == 200
+    recording.http.delete(f"/v1/sessions/{session_id}")
+    path = folder / f"mug_{session_id}.mcap"
+    with path.open("rb") as file:
+        found = [(channel.topic, message.data) for _, channel, message in make_reader(file).iter_messages()]
+    clouds = [data for topic, data in found if topic == "/cloud"]
+    assert clouds == [cdr(blob((0.004 * seq, 0, 0.5), points=2000)) for seq in range(3)]
+    assert max(len(data) for topic, data in found if topic == "/captra/frames") < 200
+    pairs = replay(str(recording.http.base_url), path, lambda result: None)
+    assert [pair.identical for pair in pairs] == [True] * 3
 
 
 def test_what_is_not_recorded_leaves_no_file(recording: Running, folder: Path) -> None:
