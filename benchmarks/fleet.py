@@ -41,6 +41,8 @@ class Tracked:
     """Which cloud is next: there and back again, so that the object never jumps."""
     ended: bool = False
     """Whether the service has closed the session, though its client lives."""
+    first_seq: int | None = None
+    """Number of this frame's cloud when it was first put."""
     seq: int = -1
     """Number of the last cloud that was put."""
 
@@ -55,10 +57,12 @@ class Tracked:
             self.seq = self.session.put(self.clouds[self._index])
         except SessionClosedError:
             self.ended = True
+        if self.first_seq is None:
+            self.first_seq = self.seq
 
     def is_answered(self) -> bool:
-        """Whether the result of the last cloud is there."""
-        return self.session.latest is not None and self.session.latest.seq >= self.seq
+        """Whether a result of this frame's cloud is there, of whichever time it was put."""
+        return self.session.latest is not None and self.session.latest.seq >= (self.first_seq or 0)
 
     def check(self) -> None:
         """Compare the answer with the truth, and go on to the next cloud."""
@@ -67,7 +71,7 @@ class Tracked:
             return
         centre = np.array(self.session.latest.parts[0].translation)
         self.errors_m.append(float(np.linalg.norm(centre - self.centres[self._index])))
-        self.frame += 1
+        self.frame, self.first_seq = self.frame + 1, None
 
 
 def play_round(fleet: Sequence[Tracked], answer_within_s: float) -> None:

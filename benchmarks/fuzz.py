@@ -27,7 +27,7 @@ LONGEST_INPUT = 4096
 
 
 def main(
-    seconds: Annotated[int, typer.Option(help="How long.")] = 60,
+    seconds: Annotated[int, typer.Option("--seconds", help="How long.")] = 60,
     found: Annotated[Path, typer.Option(help="Folder for inputs that are defects.")] = Path("found-by-fuzzing"),
 ) -> None:
     """Fuzz until the time is over or a defect is found."""
