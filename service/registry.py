@@ -25,6 +25,7 @@ from service.store import SessionRecord, SessionStore, StoreError, TrustedPose
 from service.telemetry import Telemetry
 from service.track_options import TrackOptions
 from service.transport import Stream, Transport
+from service.turns import Turns
 
 logger = logging.getLogger(__name__)
 
@@ -76,6 +77,7 @@ class Registry:
         recordings: Recordings,
         *,
         max_sessions: int,
+        frames_at_once: int,
         client_grace_s: float,
     ) -> None:
         self._provider = provider
@@ -86,6 +88,7 @@ class Registry:
         self._options = options
         self._recordings = recordings
         self._max_sessions = max_sessions
+        self._turns = Turns(frames_at_once)
         self._client_grace_s = client_grace_s
         self._lock = threading.Lock()
         self._open: dict[str, tuple[Session, Stream]] = {}
@@ -218,6 +221,7 @@ class Registry:
             liveness=Liveness(record.idle_timeout_s, self._client_grace_s, client_awaited=record.has_client),
             ledger=Ledger(self._telemetry),
             store=self._store,
+            turns=self._turns,
             tape=tape,
         )
         stream = self._transport.attach(session)

@@ -31,6 +31,7 @@ from service.results import Event, EventKind, Result
 from service.security.secrets import admission_of
 from service.sequence import Sequence
 from service.store import SessionRecord, SessionStore, StoreError, TrustedPose
+from service.turns import Turns
 
 logger = logging.getLogger(__name__)
 
@@ -56,6 +57,7 @@ class Session:
         liveness: Liveness,
         ledger: Ledger,
         store: SessionStore,
+        turns: Turns,
         tape: Tape = NO_TAPE,
     ) -> None:
         self.record = record
@@ -72,6 +74,7 @@ class Session:
         self._reporter = Reporter(record, engine.networks.category)
         self._tape = tape
         self._store = store
+        self._turns = turns
         self._trusted = record.trusted
         self._tracker = engine.start(record.trusted.pose, options)
         self._sequence = Sequence(record.trusted.seq)
@@ -134,7 +137,7 @@ class Session:
             observation = frame.observe()
             segmentation = self.codecs.segmentation(mask, observation)
             decoded_s = time.perf_counter()
-            with self._lock:
+            with self._lock, self._turns:
                 waited_s = (started_s - envelope.arrived_s) + (time.perf_counter() - decoded_s)
                 self.ledger.spent(decode=1e3 * (decoded_s - started_s))
                 header = self._numbered(header)

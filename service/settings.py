@@ -104,6 +104,8 @@ class Settings(BaseSettings):
     """How sessions that do not say expect the next pose."""
     max_sessions: int = Field(default=64, ge=1)
     """Sessions open at the same time."""
+    frames_at_once: int = Field(default=4, ge=1)
+    """Frames in hand at the same time, of all sessions together; the others wait, the newest of each session."""
     max_points: int = Field(default=1_000_000, ge=1)
     """Points of one cloud."""
     max_payload_bytes: int = Field(default=16 * 2**20, ge=1)

@@ -50,6 +50,7 @@ class TrackingService:
             self._options_of,
             self.recordings,
             max_sessions=settings.max_sessions,
+            frames_at_once=settings.frames_at_once,
             client_grace_s=settings.client_grace_s,
         )
         """Open sessions."""
