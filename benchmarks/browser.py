@@ -17,12 +17,15 @@ from playwright.sync_api import Browser, Error, Page, Playwright, sync_playwrigh
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 SOFTWARE = ("--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox")
 """WebGL without a graphics card, and as root."""
+PATIENCE_S = 60.0
+"""How long a busy machine may take to draw something."""
 
-
+APT = "DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends chromium"
 FETCH = (
-    '[ "$(id -u)" = 0 ] && apt-get update -qq && apt-get install -y -qq --no-install-recommends chromium',
+    f'[ "$(id -u)" = 0 ] && apt-get update -qq && {APT}',
     f"{sys.executable} -m playwright install --only-shell chromium",
 )
+"""Shell commands that may bring one: as root from the distribution, otherwise from Playwright."""
 
 
 class NoBrowserError(RuntimeError):
@@ -71,13 +74,13 @@ def main() -> None:
     print("the tests of the live page will be skipped")
 
 
-def until(page: Page, expression: str, within_s: float = 20.0, meanwhile: Callable[[], object] = lambda: None) -> Any:
+def until(page: Page, expression: str, meanwhile: Callable[[], object] = lambda: None) -> Any:
     """The value of an expression on the page, once it is true there; `meanwhile` is called again and again.
 
     Raises:
         TimeoutError: it does not become true.
     """
-    deadline_s = time.monotonic() + within_s
+    deadline_s = time.monotonic() + PATIENCE_S
     while not (value := page.evaluate(expression)):  # the page's policy forbids it to poll for itself
         if time.monotonic() > deadline_s:
             raise TimeoutError(f"never became true: {expression}")

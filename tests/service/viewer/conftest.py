@@ -5,10 +5,8 @@ from collections.abc import Callable, Iterator
 import pytest
 from playwright.sync_api import Browser, Page
 
-from benchmarks.browser import NoBrowserError, chromium
+from benchmarks.browser import PATIENCE_S, NoBrowserError, chromium
 from tests.service.support import Running
-
-WITHIN_MS = 20_000
 
 
 @pytest.fixture(scope="session")
@@ -37,6 +35,7 @@ def visit(browser: Browser) -> Iterator[Callable[..., Page]]:
                 else None
             ),
         )
+        page.set_default_timeout(1e3 * PATIENCE_S)
         prepare(page)
         page.goto(url)
         opened.append(page)
@@ -51,5 +50,5 @@ def visit(browser: Browser) -> Iterator[Callable[..., Page]]:
 @pytest.fixture
 def page(visit: Callable[..., Page], service: Running) -> Page:
     opened = visit(str(service.http.base_url))
-    opened.wait_for_selector("#link.live", timeout=WITHIN_MS)
+    opened.wait_for_selector("#link.live")
     return opened
