@@ -45,7 +45,7 @@ class Listener:
 
     def _run(self, url: str, folder: Path, sessions: list[str]) -> None:
         with closing(RestApi(url)) as api:
-            listen_to(api, sessions, folder, self._tell, until_s=12)
+            listen_to(api, sessions, folder, self._tell, until_s=8)
 
     def _tell(self, line: str) -> None:
         self.lines.append(line)
