@@ -61,7 +61,7 @@ def evaluate(
     from rich.console import Console
 
     from captra.evaluation import followers
-    from captra.evaluation.manifest_scores import command_for
+    from captra.evaluation.manifest_scores import REFERENCE, command_for
     from captra.evaluation.manifest_scores import write_scores as write
     from captra.evaluation.report import Report
     from captra.evaluation.sequence_cache import SequenceCache
@@ -75,6 +75,7 @@ def evaluate(
     others = (*(followers.ROBUSTNESS if robustness else ()), *(followers.BASELINES if baseline else ()))
     options = {"recordings": recordings, "procedural": procedural, "frames": frames, "profile": profile}
     options |= {"meshes": meshes} if meshes else {}
+    options |= {"provider": provider} if provider != REFERENCE else {}
     report = Report()
     with workers(jobs) as pool:
         for name in with_models(category, models):

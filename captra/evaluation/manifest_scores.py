@@ -9,9 +9,14 @@ from captra.runtime.bundle import Score, load_manifest, write_manifest
 
 COMMAND = "captra evaluate"
 
+REFERENCE = "cpu"
+"""The provider that scores are of where their command names none."""
+
 
 def write_scores(bundle: Path, command: str, means: Mapping[str, Summary]) -> None:
     """Put the means of groups of sequences into a manifest, in the place of what the command printed before.
+
+    Scores by another provider stay beside them: what lower precision costs is read off the two.
 
     Args:
         bundle: folder of the bundle.
@@ -20,7 +25,12 @@ def write_scores(bundle: Path, command: str, means: Mapping[str, Summary]) -> No
     """
     manifest = load_manifest(bundle)
     values = {f"{group}_{name}": value for group, mean in means.items() for name, value in figures(mean).items()}
-    others = tuple(score for score in manifest.scores if not score.command.startswith(COMMAND))
+    replaced = _provider_of(command)
+    others = tuple(
+        score
+        for score in manifest.scores
+        if not score.command.startswith(COMMAND) or _provider_of(score.command) != replaced
+    )
     write_manifest(bundle, replace(manifest, scores=(*others, Score(command, values))))
 
 
@@ -45,6 +55,12 @@ def command_for(category: str, options: Mapping[str, object]) -> str:
     for name, value in options.items():
         words += [f"--{name}", _shown(name, value)]
     return " ".join(words)
+
+
+def _provider_of(command: str) -> str:
+    """What the command names, or the reference, which it takes by default."""
+    words = command.split()
+    return words[words.index("--provider") + 1] if "--provider" in words else REFERENCE
 
 
 def _shown(name: str, value: object) -> str:

@@ -38,6 +38,16 @@ def test_scores_take_the_place_of_older_ones_and_leave_others_alone(bundle: Path
     verify(bundle, load_manifest(bundle))
 
 
+def test_scores_of_another_provider_stay(bundle: Path) -> None:
+    recording = still_recording("mug")
+    means = {"recordings": summarize(score(recording, [recording.truth(0)] * 3))}
+    write_manifest(bundle, replace(load_manifest(bundle), scores=()))
+    for command in ("captra evaluate", "captra evaluate --provider openvino", "captra evaluate --procedural 20"):
+        write_scores(bundle, command, means)
+    commands = [each.command for each in load_manifest(bundle).scores]
+    assert commands == ["captra evaluate --provider openvino", "captra evaluate --procedural 20"]
+
+
 def test_the_command_names_no_folder_of_this_machine(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     options = {"recordings": Path("recordings"), "meshes": Path("../meshes"), "procedural": 20}
