@@ -140,13 +140,18 @@ def reliability(confidence: Float64[np.ndarray, " frames"], correct: Bool[np.nda
     )
 
 
+def gone(one: Watched) -> Bool[np.ndarray, " frames"]:
+    """Frames in which the track was lost, whatever it said."""
+    near = within(one.rotation_deg, one.translation_cm, LOST_DEG, LOST_CM).all(axis=1)
+    return np.asarray(~(near & one.seen))
+
+
 def losses(watched: Iterable[Watched]) -> list[Loss]:
     """Every time a track was lost for longer than the deadline."""
     found = []
     for one in watched:
-        gone = ~(within(one.rotation_deg, one.translation_cm, LOST_DEG, LOST_CM).all(axis=1) & one.seen)
         said = np.array([state in SAID for state in one.states])
-        found += [_loss(said, first) for first in _beginnings(gone, DEADLINE + 1)]
+        found += [_loss(said, first) for first in _beginnings(gone(one), DEADLINE + 1)]
     return found
 
 

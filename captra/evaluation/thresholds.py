@@ -7,18 +7,19 @@ import numpy as np
 from jaxtyping import Float64
 
 from captra.confidence import ConfidenceModel
-from captra.evaluation.health_figures import DEADLINE, false_alarms, losses
+from captra.evaluation.health_figures import DEADLINE, false_alarms, gone, losses
 from captra.evaluation.watching import Watched
 from captra.health import HealthMonitor, State
 
 DOUBTS = (0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6)
 """Lower thresholds to try."""
 
-TRUST_LOGITS = (0.5, 1.0, 1.5, 2.0)
+TRUST_LOGITS = (0.5, 1.0, 1.5, 2.0, 2.5)
 """How far the upper threshold may lie above the lower one, in log odds."""
 
-ALARM_COST, UNEASE_COST = 20.0, 0.5
-"""What a share of good frames called lost, and of good frames not tracking, count beside that of losses untold.
+ALARM_COST, UNEASE_COST, CREDULITY_COST = 20.0, 0.5, 1.0
+"""What a share of good frames called lost, of good ones that are not tracking, and of lost ones that are, count beside
+that of losses untold.
 
 One good frame in a hundred called lost is as bad as one loss in five untold: both miss what we promise.
 """
@@ -58,8 +59,11 @@ def _retold(
 def _cost(retold: Sequence[Watched]) -> float:
     lost, alarms = losses(retold), false_alarms(retold)
     untold = np.mean([loss.delay is None or loss.delay > DEADLINE for loss in lost]) if lost else 0.0
-    good = np.concatenate([one.correct for one in retold])
-    uneasy = good & np.concatenate([[state is not State.TRACKING for state in one.states] for one in retold])
+    tracking = np.concatenate([[state is State.TRACKING for state in one.states] for one in retold])
+    good, wrong = np.concatenate([one.correct for one in retold]), np.concatenate([gone(one) for one in retold])
     return float(
-        untold + ALARM_COST * alarms.part / max(alarms.whole, 1) + UNEASE_COST * uneasy.sum() / max(good.sum(), 1)
+        untold
+        + ALARM_COST * alarms.part / max(alarms.whole, 1)
+        + UNEASE_COST * (good & ~tracking).sum() / max(good.sum(), 1)
+        + CREDULITY_COST * (wrong & tracking).sum() / max(wrong.sum(), 1)
     )

@@ -47,3 +47,13 @@ def test_what_is_wrong_but_sure_does_not_make_all_good_frames_doubtful() -> None
     monitor = choose_thresholds(MODEL, [wrong, *good])
     assert monitor.doubt_below < 0.55
     assert false_alarms(replace(one, states=states(monitor, confidences(MODEL, one))) for one in good) == Share(0, 60)
+
+
+def test_trust_is_regained_only_by_what_is_not_as_sure_of_wrong_places() -> None:
+    relapse = track(
+        [*[0.95] * 5, *[0.1] * 6, *[0.6] * 12, *[0.95] * 6], [*[1] * 5, *[HIDDEN] * 6, *[60] * 12, *[1] * 6], 6, 12
+    )
+    monitor = choose_thresholds(MODEL, [relapse])
+    said = states(monitor, confidences(MODEL, relapse))
+    assert State.TRACKING not in said[11:23]
+    assert said[-1] is State.TRACKING
