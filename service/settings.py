@@ -100,8 +100,8 @@ class Settings(BaseSettings):
     """Threads of one network run; by default what the container's quota allows."""
     search_budget_ms: float = Field(default=100.0, ge=0, le=10_000, allow_inf_nan=False)
     """How long a frame may look for an object that is doubted or lost, two looks at the least; 0 never searches."""
-    prediction: Prediction = "none"
-    """How sessions that do not say expect the next pose."""
+    prediction: Prediction = "constant-velocity"
+    """How sessions that do not say expect the next pose; `captra health` measures what it helps."""
     max_sessions: int = Field(default=64, ge=1)
     """Sessions open at the same time."""
     frames_at_once: int = Field(default=4, ge=1)

@@ -143,5 +143,5 @@ class NewSession(Input):
     joint_axes: Annotated[dict[str, Vector3], Field(max_length=64)] | None = Field(
         default=None,
         description="Keep parts on their joints: axis by joint, in the parent part's frame; a joint that is not named "
-        "has the category's axis. Without it every part moves freely.",
+        "has the category's axis. Without it the bundle decides.",
     )
