@@ -112,6 +112,15 @@ def test_a_track_that_is_lost_turns_amber_and_red_and_is_re_initialised(page: Pa
     assert_boxes_drawn(page, service.session(session_id)["last_result"]["parts"], GREEN)
 
 
+def test_cards_are_not_replaced_under_a_finger(page: Page, service: Running) -> None:
+    session_id = service.open_session()["session_id"]
+    until(page, "document.querySelector('[data-session].on') !== null")
+    page.evaluate("document.querySelector('[data-session]').dataset.touched = 'yes'")
+    post(page, service, session_id, range(3))
+    until(page, "!document.querySelector('[data-session]').innerText.includes(' 0 ms')")
+    assert page.get_attribute("[data-session]", "data-touched") == "yes"
+
+
 def test_the_trail_and_the_charts_grow(page: Page, service: Running) -> None:
     session_id = service.open_session()["session_id"]
     until(page, "document.querySelector('[data-session].on') !== null")
