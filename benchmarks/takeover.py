@@ -33,7 +33,7 @@ class Takeover:
     down_s: float
     """From the kill until the service was ready again."""
     gaps_s: np.ndarray
-    """From ready until each session had a result of a cloud that was put after ready; infinite where none came."""
+    """From ready until each session had its first result since the kill; infinite where none came."""
 
 
 def take_over(service: ServiceProcess, fleet: Sequence[Tracked], rate_hz: float) -> Takeover:
@@ -54,20 +54,25 @@ def take_over(service: ServiceProcess, fleet: Sequence[Tracked], rate_hz: float)
         killed_s = time.monotonic()
         os.kill(service.pid, signal.SIGKILL)
         service.stop()
+        first = {each.session.session_id: last_seq(each) + 1 for each in fleet}
         service.__enter__()
         ready_s = time.monotonic()
-        first = {each.session.session_id: each.seq + 1 for each in fleet}
         gaps_s = dict.fromkeys(first, np.inf)
         while np.inf in gaps_s.values() and time.monotonic() < ready_s + GIVE_UP_S:
             for each in fleet:
-                name, latest = each.session.session_id, each.session.latest
-                if gaps_s[name] == np.inf and latest is not None and latest.seq >= first[name]:
+                name = each.session.session_id
+                if gaps_s[name] == np.inf and last_seq(each) >= first[name]:
                     gaps_s[name] = time.monotonic() - ready_s
             time.sleep(0.005)
     finally:
         stop.set()
         putting.join()
     return Takeover(ready_s - killed_s, np.array(list(gaps_s.values())))
+
+
+def last_seq(tracked: Tracked) -> int:
+    """Number of the newest result, if there is one."""
+    return -1 if tracked.session.latest is None else tracked.session.latest.seq
 
 
 def main(
