@@ -150,7 +150,7 @@ def test_taken_ports_are_named_with_the_setting_that_changes_them() -> None:
         http_port = entry(stream(first.stderr), "serving")["http"].rpartition(":")[2]
         for changed, name in (({"CAPTRA_HTTP_PORT": http_port}, "CAPTRA_HTTP_PORT"), ({}, "CAPTRA_ZENOH_LISTEN")):
             with process("-m", "service", **variables | changed) as second:
-                _, complaint = second.communicate(timeout=30)
+                _, complaint = second.communicate(timeout=120)
                 assert second.returncode == 1
                 assert name in complaint
                 assert (http_port if changed else port) in complaint
@@ -167,7 +167,7 @@ def test_taken_ports_are_named_with_the_setting_that_changes_them() -> None:
 )
 def test_wrong_settings_are_named(variables: dict[str, str], name: str) -> None:
     with process("-m", "service", **variables) as service:
-        _, complaint = service.communicate(timeout=30)
+        _, complaint = service.communicate(timeout=120)
         assert service.returncode == 2
         assert name in complaint
         assert "Traceback" not in complaint
@@ -175,6 +175,6 @@ def test_wrong_settings_are_named(variables: dict[str, str], name: str) -> None:
 
 def test_help_has_an_example() -> None:
     with process("-m", "service", "--help") as command:
-        text, _ = command.communicate(timeout=30)
+        text, _ = command.communicate(timeout=120)
     assert command.returncode == 0
     assert "captra serve --port" in " ".join(text.split())
