@@ -27,7 +27,7 @@ from docker.dockerfile import Copy, Stage, read
 ROOT = Path(__file__).resolve().parents[1]
 RECORDING = ROOT / "recordings" / "mug__sweethome3d-KatorLegaz__coffee-mug__hand.npz"
 DEBIAN = "debian:bookworm-slim"
-READY_WITHIN_S = 120.0
+READY_WITHIN_S = 300.0
 FRAMES = 20
 
 BUILD = """
