@@ -7,6 +7,7 @@ import numpy as np
 from jaxtyping import Bool, Float64, Int
 
 from captra.evaluation.calibration import auroc
+from captra.evaluation.incidents import LEAD
 from captra.evaluation.watching import Watched
 from captra.health import State
 from captra.metrics import within
@@ -186,7 +187,7 @@ def recoveries(watched: Iterable[Watched]) -> list[Recovery]:
     """Every incident of a track that held before it, if the object was back for a while."""
     found = []
     for one in watched:
-        before, back = one.start - 2, one.stop - 1
+        before, back = min(one.start, LEAD) - 2, one.stop - 1  # an occluder comes over the object before it hides it
         held = np.asarray(within(one.rotation_deg, one.translation_cm, HELD_DEG, HELD_CM).all(axis=1))
         if one.kind == "nothing" or not held[before] or len(held) - back <= DEADLINE:
             continue
