@@ -128,7 +128,7 @@ def test_closing_by_the_service_is_noticed(service: Running, url: str) -> None:
 
     with (
         open_session("mug", recording.init, url=url) as session,
-        pytest.raises(clients.SessionClosedError, match="deleted"),
+        pytest.raises(clients.SessionClosedError, match="a client closed the session"),
     ):
         list(session.track(camera()))
 

@@ -90,7 +90,7 @@ def test_the_five_lines_of_the_readme_track_a_mug(python: Path, tmp_path: Path) 
         lines = subprocess.run(
             [python, "-c", program], cwd=tmp_path, env=environment, check=True, capture_output=True, text=True
         ).stdout.splitlines()
-        page = httpx.get(environment["CAPTRA_URL"] + "/viewer/app.js")
+        page = httpx.get(environment["CAPTRA_URL"] + "/viewer/static/app.js")
         models = httpx.get(environment["CAPTRA_URL"] + "/v1/models").json()["models"]
     assert lines[-1].startswith("tracking ")
     assert page.is_success

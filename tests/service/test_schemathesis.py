@@ -15,7 +15,14 @@ from tests.service.support import Running, running
 from tests.service.test_openapi import METHODS
 
 EXAMPLES = 20
-NOTHING_TO_SEND = {"/v1/categories", "/v1/models", "/v1/health/live", "/v1/health/ready", "/metrics"}
+NOTHING_TO_SEND = {
+    "/v1/categories",
+    "/v1/models",
+    "/v1/recordings",
+    "/v1/health/live",
+    "/v1/health/ready",
+    "/metrics",
+}
 OPERATIONS = [
     (path, method, mode)
     for path, methods in METHODS.items()

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 import trimesh
 
+from captra.data.articulated_meshes import LibraryError
 from captra.data.meshes import SHARE_PER_MESH, deformed, load_meshes, shape_source
 from captra.data.shapes import make_shape
 from captra.data.shapes.shape import rigid_shape
@@ -33,7 +34,7 @@ def test_only_objects_of_the_category_and_use_are_read_and_they_are_centred(libr
 
 
 def test_a_missing_library_is_an_error(tmp_path: Path) -> None:
-    with pytest.raises(FileNotFoundError):
+    with pytest.raises(LibraryError, match=r"INDEX\.json"):
         load_meshes(tmp_path, "mug", "train")
 
 

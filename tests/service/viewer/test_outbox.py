@@ -2,12 +2,23 @@
 
 import asyncio
 import threading
+from collections.abc import Coroutine
+from concurrent.futures import ThreadPoolExecutor
 from functools import partial
+from typing import Any, TypeVar
 
 import numpy as np
 
 from service.viewer.clouds import Frame
 from service.viewer.outbox import LONGEST_LINE, Outbox
+
+Answer = TypeVar("Answer")
+
+
+def run(scenario: Coroutine[Any, Any, Answer]) -> Answer:
+    """In a thread of its own: the one of the tests may hold the loop of the browser that other tests look through."""
+    with ThreadPoolExecutor(1) as pool:
+        return pool.submit(asyncio.run, scenario).result()
 
 
 def frame(number: int) -> Frame:
@@ -26,7 +37,7 @@ def test_the_newest_cloud_alone_waits() -> None:
         assert made.scene == "session/4"
         assert outbox.take_cloud() is None
 
-    asyncio.run(scenario())
+    run(scenario())
 
 
 def test_old_messages_go_first_when_the_line_is_full() -> None:
@@ -38,7 +49,7 @@ def test_old_messages_go_first_when_the_line_is_full() -> None:
         assert len(waiting) == LONGEST_LINE
         assert waiting[-1] == str(LONGEST_LINE + 9).encode()
 
-    asyncio.run(scenario())
+    run(scenario())
 
 
 def test_another_thread_wakes_the_viewer() -> None:
@@ -48,13 +59,13 @@ def test_another_thread_wakes_the_viewer() -> None:
         await asyncio.wait_for(outbox.wait(30), 10)
         assert outbox.take_messages() == [b"news"]
 
-    asyncio.run(scenario())
+    run(scenario())
 
 
 def test_putting_after_the_service_stopped_does_nothing() -> None:
     async def made() -> Outbox:
         return Outbox()
 
-    outbox = asyncio.run(made())
+    outbox = run(made())
     outbox.put_message(b"late")
     outbox.put_cloud(lambda: frame(0))
