@@ -110,6 +110,8 @@ class Session:
                 self._store.save(replace(self.record, trusted=self._trusted))
             except StoreError:
                 logger.exception("client not stored", extra={"session_id": self.session_id})
+            else:
+                logger.info("client remembered", extra={"session_id": self.session_id})
 
     def observe(self, observer: Observer) -> None:
         """Tell `observer` too, from now on."""

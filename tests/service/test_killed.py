@@ -133,6 +133,7 @@ def test_session_whose_client_died_with_the_service_is_freed_after_the_grace_tim
         kept = httpx.post(f"{url}/v1/sessions", json=session_body()).json()["session_id"]  # it never had a client
         with process("-c", CLIENT, url) as dying:
             orphan = stream(dying.stdout).readline().strip()
+            assert entry(stream(service.stderr), "client remembered")["session_id"] == orphan
             service.kill()
             service.wait()
     with process("-m", "tests.service.quick_service", **variables) as again:
