@@ -41,8 +41,8 @@ COMMANDS: dict[str, tuple[tuple[object, ...], str]] = {
         r"one of bottle",
     ),
     "category without model": (
-        ("evaluate", "--category", "drawers", "--models", MODELS),
-        r"one of bottle.*captra export",
+        ("evaluate", "--category", "drawers", "--models", "."),
+        r"no model of drawers in \..*captra export",
     ),
     "no models": (("evaluate", "--models", "."), r"no models in \.: name the folder .* by --models"),
     "no sequences": (("evaluate", *OF_MUG, "."), r"--recordings, or .*--procedural 20"),
