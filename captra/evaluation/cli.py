@@ -141,14 +141,14 @@ def fuse(
 
     Example: captra fuse --category mug
     """
+    from functools import partial
+
     from rich.console import Console
 
-    from captra.evaluation.fusion_choice import FusedNetworks, Fusion, choose
-    from captra.evaluation.runner import evaluate
+    from captra.evaluation.fusion_choice import choose, measure
     from captra.evaluation.sequence_cache import SequenceCache
     from captra.evaluation.sequences import VALIDATION_SEED
     from captra.evaluation.sequences import procedural as unseen
-    from captra.evaluation.summary import Summary, average, summarize
     from captra.evaluation.table import WIDTH, table
     from captra.evaluation.workers import workers
     from captra.runtime.bundle import load_manifest, write_manifest
@@ -159,12 +159,7 @@ def fuse(
         for name in with_models(category, models):
             networks = exported(models, name, profile, provider, max(1, available_cores() // jobs))
             sources = list(unseen(name, sequences, kept, frames, VALIDATION_SEED))
-
-            def measure(fusion: Fusion) -> Summary:
-                outcomes = evaluate(FusedNetworks(networks, fusion), sources, pool)  # noqa: B023 - called at once
-                return average(fusion.name, [summarize(outcome.score) for outcome in outcomes])
-
-            best, means = choose(name, measure)
+            best, means = choose(name, partial(measure, networks, sources, pool))
             write_manifest(models / name, best.set_in(load_manifest(models / name)))
             console.print(table(means, f"{name}: {best.name} is in the manifest now"))
 

@@ -1,11 +1,13 @@
 """Chooses how a bundle's opinions on rotations become one, by tracking validation sequences with every candidate."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from captra.categories import get_category
-from captra.evaluation.runner import ExportedNetworks
+from captra.evaluation.runner import ExportedNetworks, mean_over
+from captra.evaluation.sequences import SequenceSource
 from captra.evaluation.summary import Summary
+from captra.evaluation.workers import Workers
 from captra.joint_projection import JOINT_PROJECTIONS
 from captra.looking import Networks
 from captra.runtime.bundle import Manifest
@@ -66,6 +68,11 @@ def choose(category: str, measure: Callable[[Fusion], Summary]) -> tuple[Fusion,
         others = (replace(best, joint_projection=name) for name in JOINT_PROJECTIONS if name != best.joint_projection)
         found |= _measured(others, measure)
     return max(found, key=lambda fusion: worth(found[fusion])), list(found.values())
+
+
+def measure(networks: ExportedNetworks, sources: Sequence[SequenceSource], workers: Workers, fusion: Fusion) -> Summary:
+    """Means over the sequences with a fusion, under its name."""
+    return mean_over(fusion.name, FusedNetworks(networks, fusion), sources, workers)
 
 
 def _measured(fusions: Iterable[Fusion], measure: Callable[[Fusion], Summary]) -> dict[Fusion, Summary]:

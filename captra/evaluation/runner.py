@@ -11,6 +11,7 @@ from captra.evaluation.followers.served import Served
 from captra.evaluation.response import Response, response
 from captra.evaluation.scoring import SequenceScore, score
 from captra.evaluation.sequences import SequenceSource
+from captra.evaluation.summary import Summary, average, summarize
 from captra.evaluation.workers import Workers
 from captra.looking import Networks
 from captra.runtime.onnx_networks import OnnxNetworks
@@ -61,6 +62,11 @@ def evaluate(
 ) -> Iterator[Outcome]:
     """Follow and score every sequence with one set of networks; outcomes come in the order of the sources."""
     return workers.map(partial(follow_and_score, networks, follower), sources)
+
+
+def mean_over(name: str, networks: NetworksSource, sources: Iterable[SequenceSource], workers: Workers) -> Summary:
+    """Means over all sequences, as served, under a name."""
+    return average(name, [summarize(outcome.score) for outcome in evaluate(networks, sources, workers)])
 
 
 def follow_and_score(networks: NetworksSource, follower: Follower, source: SequenceSource) -> Outcome:

@@ -251,16 +251,15 @@ class LocalSteps:
     def validate(self, bundle: Path) -> float:
         """Mean of 5°5cm and oriented IoU, percent, over unseen procedural sequences with validation seeds."""
         from captra.evaluation.fusion_choice import worth
-        from captra.evaluation.runner import ExportedNetworks, evaluate
+        from captra.evaluation.runner import ExportedNetworks, mean_over
         from captra.evaluation.sequence_cache import SequenceCache
         from captra.evaluation.sequences import VALIDATION_SEED, procedural
-        from captra.evaluation.summary import average, summarize
         from captra.evaluation.workers import Here
 
         cache = SequenceCache.open(self.folders.sequences)
         sources = procedural(bundle.name, self.sequences, cache, self.frames, VALIDATION_SEED)
         networks = ExportedNetworks(bundle, "realtime", "cpu", self.threads)
-        return worth(average(bundle.name, [summarize(one.score) for one in evaluate(networks, sources, Here())]))
+        return worth(mean_over(bundle.name, networks, sources, Here()))
 
     def draw(self, category: str) -> None:
         """Loss and validation score over the samples, beside the run's log."""
