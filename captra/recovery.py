@@ -15,6 +15,9 @@ REACH_M = 0.06
 TURN_RAD = np.radians(15.0)
 """Angle of the turns that go with them."""
 
+FEWEST_LOOKS, MOST_LOOKS = 2, 8
+"""What a search may take a frame: one look would never go anywhere but where the object was lost."""
+
 
 class SearchBudget(Protocol):
     """How many looks a frame may take."""
@@ -44,8 +47,6 @@ class LookBudget:
 class TimeBudget:
     """As many looks as fit into some milliseconds, by how long they took so far: two at least, eight at most."""
 
-    FEWEST_LOOKS, MOST_LOOKS = 2, 8  # one would never look anywhere but where the object was lost
-
     def __init__(self, budget_ms: float) -> None:
         self._budget_ms = budget_ms
         self._look_ms: float | None = None
@@ -53,8 +54,8 @@ class TimeBudget:
     def looks(self) -> int:
         """At most so many; the fewest before the first is timed."""
         if self._look_ms is None:
-            return self.FEWEST_LOOKS
-        return int(np.clip(self._budget_ms / self._look_ms, self.FEWEST_LOOKS, self.MOST_LOOKS))
+            return FEWEST_LOOKS
+        return int(np.clip(self._budget_ms / self._look_ms, FEWEST_LOOKS, MOST_LOOKS))
 
     def spent(self, milliseconds: float) -> None:
         """Go along slowly, so that one slow look changes little."""

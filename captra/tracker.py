@@ -70,6 +70,7 @@ class Tracker:
         self._options = options or TrackerOptions()
         self._category = networks.category
         self._health = health or HealthMonitor()
+        self._looks = 1
         self.reset(pose)
 
     @property
@@ -81,6 +82,11 @@ class Tracker:
     def health(self) -> HealthMonitor:
         """State and confidence after the last frame."""
         return self._health
+
+    @property
+    def looks(self) -> int:
+        """How many looks the last frame might take; given again with the same frames, they lead to the same poses."""
+        return self._looks
 
     def reset(self, pose: Pose) -> None:
         """Start again from `pose`.
@@ -110,6 +116,7 @@ class Tracker:
         observed: Observation | Float[np.ndarray, "all 3"],
         segmentation: Segmentation = NOTHING_KNOWN,
         time_s: float | None = None,
+        looks: int | None = None,
     ) -> TrackResult:
         """Find the object in what a sensor saw, given where it was.
 
@@ -117,25 +124,24 @@ class Tracker:
             observed: a cloud as an array, metres, or any other observation.
             segmentation: what is known beforehand of which points belong to the object; it overrules CoordinateNet.
             time_s: when it was seen, seconds since anything; without it frames count as equally far apart.
+            looks: how many poses may be looked around while the track does not hold; by default what the search allows.
 
         Raises:
             NoPointsError: nothing was seen near the object; the pose stays as it was.
         """
         observation = PointCloud.of(observed) if isinstance(observed, np.ndarray) else observed
-        looks = self._options.search.looks()
-        around = self._search.hypotheses(self._motion.expected(time_s), self._health.state, looks)
-        best = self._choose(self._look(observation, segmentation, around, looks))
+        self._looks = self._options.search.looks() if looks is None else looks
+        around = self._search.hypotheses(self._motion.expected(time_s), self._health.state, self._looks)
+        best = self._choose(self._look(observation, segmentation, around))
         self._health = self._health.updated(self._health.confidence_of(best.evidence))
         self._pose = self._sized(best)
         self._motion = self._motion.observed(self._pose, time_s, trusted=self._health.trusted)
-        self._search = self._search.updated(self._pose, self._health.state, looks)
-        published, self._filter = self._filter.filtered(self._published(looks), time_s)
+        self._search = self._search.updated(self._pose, self._health.state, self._looks)
+        published, self._filter = self._filter.filtered(self._published(), time_s)
         joints = joint_values(published, self._category)
         return TrackResult(published, self._health.state, self._health.confidence, joints, best.evidence, best.timing)
 
-    def _look(
-        self, observation: Observation, segmentation: Segmentation, around: Sequence[Pose], looks: int
-    ) -> Sequence[Sighting]:
+    def _look(self, observation: Observation, segmentation: Segmentation, around: Sequence[Pose]) -> Sequence[Sighting]:
         """Look around every pose near which there are points."""
         sightings, refusal = list[Sighting](), NoPointsError()
         for pose in around:
@@ -147,7 +153,7 @@ class Tracker:
                 self._options.search.spent(sightings[-1].timing.total_ms)
         if not sightings:
             self._health = self._health.missed()
-            self._search = self._search.updated(self._pose, self._health.state, looks)
+            self._search = self._search.updated(self._pose, self._health.state, self._looks)
             raise refusal
         return sightings
 
@@ -163,7 +169,7 @@ class Tracker:
             self._size = self._size.updated(pose)
         return self._size.apply(pose, found.evidence.centroid)
 
-    def _published(self, looks: int) -> Pose:
+    def _published(self) -> Pose:
         """The last pose, or the last trusted one as long as a search has found nothing better."""
-        held = self._health.state is State.LOST and looks > 1
+        held = self._health.state is State.LOST and self._looks > 1
         return self._search.trusted if held else self._pose

@@ -35,6 +35,16 @@ class RecordedFrame:
 
 
 @dataclass(frozen=True)
+class Answer:
+    """What became of a frame."""
+
+    looks: int | None
+    """How many looks it might take; none in files of services that did not tell."""
+    result: Result | None
+    """None where nothing was seen near the object."""
+
+
+@dataclass(frozen=True)
 class Replayed:
     """One frame, then and now."""
 
@@ -77,9 +87,10 @@ def replay(url: str | None, path: Path, watch: Callable[[Result], None]) -> list
                     frames += 1
                     if session_id is None or frames not in answers:
                         continue
-                    now, then = again(api, session_id, frame_of(body)), answers[frames]
-                    if now is not None and then is not None:
-                        pairs.append(Replayed(then, now))
+                    then = answers[frames]
+                    now = again(api, session_id, frame_of(body), then.looks)
+                    if now is not None and then.result is not None:
+                        pairs.append(Replayed(then.result, now))
                         watch(now)
         finally:
             if session_id is not None:
@@ -92,12 +103,12 @@ def replay(url: str | None, path: Path, watch: Callable[[Result], None]) -> list
     return pairs
 
 
-def answers_in(path: Path) -> dict[int, Result | None]:
-    """What became of the frames of a file, counted from one: a result, or none where nothing was seen near the object.
+def answers_in(path: Path) -> dict[int, Answer]:
+    """What became of the frames of a file, counted from one.
 
     Frames that newer ones replaced, or that were refused for another reason, are not in it.
     """
-    answers: dict[int, Result | None] = {}
+    answers: dict[int, Answer] = {}
     frame_by_seq: dict[int, int] = {}
     frames = 0
     for name, body in messages(path):
@@ -105,9 +116,9 @@ def answers_in(path: Path) -> dict[int, Result | None]:
             frames += 1
             frame_by_seq[body["seq"]] = frames
         elif name == RESULT and body["seq"] in frame_by_seq:
-            answers[frame_by_seq[body["seq"]]] = parse_result(body)
+            answers[frame_by_seq[body["seq"]]] = Answer(body.get("looks"), parse_result(body))
         elif name == EVENT and body.get("reason") == UNSEEN and body.get("seq") in frame_by_seq:
-            answers[frame_by_seq[body["seq"]]] = None
+            answers[frame_by_seq[body["seq"]]] = Answer(body.get("looks"), None)
     return answers
 
 
@@ -117,11 +128,17 @@ def frame_of(body: Mapping[str, Any]) -> RecordedFrame:
     return RecordedFrame(body["seq"], body["stamp_ns"], body["encoding"], payload, region)
 
 
-def again(api: RestApi, session_id: str, frame: RecordedFrame) -> Result | None:
-    """One frame through the service; none where it sees nothing near the object."""
+def again(api: RestApi, session_id: str, frame: RecordedFrame, looks: int | None) -> Result | None:
+    """One frame through the service, with as many looks as it might take then; none where it sees nothing."""
     try:
         answer = api.post_frame(
-            session_id, frame.payload, frame.encoding, seq=frame.seq, stamp_ns=frame.stamp_ns, region=frame.region
+            session_id,
+            frame.payload,
+            frame.encoding,
+            seq=frame.seq,
+            stamp_ns=frame.stamp_ns,
+            region=frame.region,
+            looks=looks,
         )
     except RequestRefusedError as refusal:
         if refusal.reason != UNSEEN:

@@ -104,10 +104,20 @@ class RestApi:
         self._call("PUT", f"/v1/sessions/{session_id}/pose", json=body)
 
     def post_frame(
-        self, session_id: str, payload: bytes, media_type: str, *, seq: int, stamp_ns: int, region: bytes = b""
+        self,
+        session_id: str,
+        payload: bytes,
+        media_type: str,
+        *,
+        seq: int,
+        stamp_ns: int,
+        region: bytes = b"",
+        looks: int | None = None,
     ) -> Mapping[str, Any]:
         """POST one frame with its mask or box, packed as in an attachment; the answer is its result."""
         path, params = f"/v1/sessions/{session_id}/frames", {"seq": str(seq), "stamp_ns": str(stamp_ns)}
+        if looks is not None:
+            params["looks"] = str(looks)
         if region and len(region) != PACKED_BOX.size:
             files = {"cloud": ("cloud", payload, media_type), "mask": ("mask.png", region, "image/png")}
             return self._call("POST", path, params=params, files=files)

@@ -86,6 +86,8 @@ class Result:
     """Joint states in the category's order; empty for rigid objects."""
     timing_ms: Timing
     """Measured by the service."""
+    looks: int | None = None
+    """How many poses the frame might be looked around; a replay gives it back."""
     round_trip_ms: float | None = field(default=None, compare=False)
     """From `Session.put` to receipt, measured by this client; None where it did not send the cloud."""
 
@@ -133,6 +135,7 @@ def parse_result(payload: bytes | str | Mapping[str, Any]) -> Result:
         ),
         joints=tuple(JointState(joint["name"], joint["kind"], joint["value"]) for joint in body["joints"]),
         timing_ms=Timing(**{stage: body["timing_ms"][stage] for stage in Timing.__dataclass_fields__}),
+        looks=body.get("looks"),
     )
 
 

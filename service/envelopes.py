@@ -41,6 +41,8 @@ class Envelope:
     """What travelled beside it."""
     arrived_s: float
     """When it reached the service, on the clock of `time.perf_counter`."""
+    looks: int | None = None
+    """How many looks it may take, where it repeats a frame that took so many; none leaves it to the track."""
 
 
 def pack_attachment(seq: int, stamp_ns: int) -> bytes:

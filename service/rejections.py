@@ -21,6 +21,9 @@ class RejectedError(ValueError):
         cls.title = cls.reason.replace("-", " ").capitalize()
         cls.status = cls.status if status is None else status
 
+    looks: int | None = None
+    """How many looks the refused frame might take, where the tracker has tried it."""
+
     @property
     def detail(self) -> str:
         """What is wrong with this one, and what to do next."""
@@ -81,6 +84,11 @@ class RepeatedSeqError(FrameRejectedError, status=409):
 
 class NoPointsNearObjectError(FrameRejectedError):
     """The cloud holds nothing where the object was."""
+
+    def __init__(self, detail: str, looks: int | None = None) -> None:
+        """`looks` says how many the frame might take."""
+        super().__init__(detail)
+        self.looks = looks
 
 
 class MalformedMessageError(FrameRejectedError):

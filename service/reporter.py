@@ -32,7 +32,7 @@ class Reporter:
             joints=joint_values(pose, self._category),
         )
 
-    def unseen(self, last: Result, header: NumberedHeader, state: State) -> Result:
+    def unseen(self, last: Result, header: NumberedHeader, state: State, looks: int) -> Result:
         """A frame that showed nothing near the object: the last poses, which nothing bears out any more."""
         return replace(
             last,
@@ -41,10 +41,13 @@ class Reporter:
             frame_id=self._frame_id(header),
             state=state,
             confidence=0.0,
+            looks=looks,
             timing_ms=Timing(),
         )
 
-    def tracked(self, found: TrackResult, header: NumberedHeader, queue_ms: float, total_ms: float) -> Result:
+    def tracked(
+        self, found: TrackResult, header: NumberedHeader, looks: int, queue_ms: float, total_ms: float
+    ) -> Result:
         """What one frame told."""
         timing = found.timing
         return Result(
@@ -56,6 +59,7 @@ class Reporter:
             confidence=found.confidence,
             parts=part_poses(found.pose, self._category),
             joints=found.joints,
+            looks=looks,
             timing_ms=Timing(queue_ms, timing.sample_ms, timing.infer_ms, timing.solve_ms, total_ms),
         )
 

@@ -64,6 +64,8 @@ class Result:
     """In the order of the category's parts."""
     joints: tuple[JointValue, ...]
     """In the order of the category's joints."""
+    looks: int | None = None
+    """How many poses the frame might be looked around; none for a pose that was given."""
     timing_ms: Timing = field(default_factory=Timing)
     """Milliseconds a stage."""
 
@@ -102,6 +104,8 @@ class Event:
     """Slug: why a frame or pose was rejected, or why the session closes."""
     detail: str | None = None
     """The same for people."""
+    looks: int | None = None
+    """How many poses a frame might be looked around that showed nothing near any of them."""
     time_ns: int = field(default_factory=time.time_ns)
     """When, on the service's clock, nanoseconds since 1970."""
 

@@ -144,7 +144,7 @@ class Session:
                 self.ledger.spent(decode=1e3 * (decoded_s - started_s))
                 header = self._numbered(header)
                 self._tape.frame(header, envelope, mask, observation)
-                return self._step(header, observation, segmentation, envelope.arrived_s, waited_s)
+                return self._step(header, observation, segmentation, envelope, waited_s)
         except UnknownSessionError:
             raise
         except RejectedError as rejection:
@@ -220,19 +220,20 @@ class Session:
         header: NumberedHeader,
         observation: Observation,
         segmentation: Segmentation,
-        arrived_s: float,
+        envelope: Envelope,
         waited_s: float,
     ) -> Result:
         self._check_open()
         self._sequence.check(header.seq)
         self._observers.cloud(header, observation)
         try:
-            tracked = self._tracker.step(observation, segmentation, 1e-9 * header.stamp_ns)
+            tracked = self._tracker.step(observation, segmentation, 1e-9 * header.stamp_ns, envelope.looks)
         except NoPointsError as error:
             self._saw_nothing(header)
-            raise NoPointsNearObjectError(str(error)) from error
+            raise NoPointsNearObjectError(str(error), self._tracker.looks) from error
         dropped = self._sequence.accept(header.seq)
-        result = self._reporter.tracked(tracked, header, 1e3 * waited_s, 1e3 * (time.perf_counter() - arrived_s))
+        total_s = time.perf_counter() - envelope.arrived_s
+        result = self._reporter.tracked(tracked, header, self._tracker.looks, 1e3 * waited_s, 1e3 * total_s)
         if tracked.state is State.TRACKING:
             self._trust(TrustedPose(self._tracker.pose, header.seq))
         previous, self._last_result = self._last_result.state, result
@@ -245,7 +246,7 @@ class Session:
         health, previous = self._tracker.health, self._last_result
         if health.state is previous.state:
             return
-        self._last_result = self._reporter.unseen(previous, header, health.state)
+        self._last_result = self._reporter.unseen(previous, header, health.state, self._tracker.looks)
         self._observers.result(self._last_result)
         self._tell_state(previous.state)
 
@@ -284,7 +285,13 @@ class Session:
             logger.debug("frame rejected", extra={"session_id": self.session_id, "reason": rejection.reason})
             state = self._last_result.state
             self._tell(
-                EventKind.REJECTED, state, seq=seq, stamp_ns=stamp_ns, reason=rejection.reason, detail=rejection.detail
+                EventKind.REJECTED,
+                state,
+                seq=seq,
+                stamp_ns=stamp_ns,
+                reason=rejection.reason,
+                detail=rejection.detail,
+                looks=rejection.looks,
             )
 
     def _tell(
@@ -296,6 +303,7 @@ class Session:
         stamp_ns: int | None = None,
         reason: str | None = None,
         detail: str | None = None,
+        looks: int | None = None,
     ) -> None:
         state = self._last_result.state
-        self._observers.event(Event(kind, self.session_id, state, previous, seq, stamp_ns, reason, detail))
+        self._observers.event(Event(kind, self.session_id, state, previous, seq, stamp_ns, reason, detail, looks))

@@ -29,6 +29,7 @@ MUG_RESULT: JsonDict = {
         }
     ],
     "joints": [],
+    "looks": 3,
     "timing_ms": {"queue": 0.2, "sample": 3.1, "infer": 21.4, "solve": 0.9, "total": 26.0},
 }
 STREAM_KEYS: JsonDict = {

@@ -6,6 +6,7 @@ from typing import Annotated
 
 from fastapi import APIRouter, Query, Request, Response
 
+from captra.recovery import MOST_LOOKS
 from service.codecs import CDR, CLOUD_F32, CLOUD_I16, DEPTH_F32, DEPTH_PNG, DEPTH_U16
 from service.envelopes import Envelope, pack_attachment
 from service.rejections import (
@@ -74,6 +75,15 @@ BoxText = Annotated[
     ),
 ]
 
+Looks = Annotated[
+    int | None,
+    Query(
+        ge=1,
+        le=MOST_LOOKS,
+        description="To repeat a frame: `looks` of the result, or of the event, that it had. Leave it out otherwise.",
+    ),
+]
+
 
 @router.post(
     "/{session_id}/frames",
@@ -82,7 +92,13 @@ BoxText = Annotated[
     openapi_extra={"requestBody": BODY},
 )
 async def post_frame(
-    session: OpenSession, seq: Seq, stamp_ns: Stamp, request: Request, threads: OnThread, box: BoxText = None
+    session: OpenSession,
+    seq: Seq,
+    stamp_ns: Stamp,
+    request: Request,
+    threads: OnThread,
+    box: BoxText = None,
+    looks: Looks = None,
 ) -> Response:
     """Track the object in one cloud; `Content-Type` names its encoding."""
     arrived_s = time.perf_counter()
@@ -92,6 +108,6 @@ async def post_frame(
         await threads.run_in_turn(session, partial(session.refuse, rejection))
         raise
     sent = await frame_of(payload, request.headers.get("content-type", ""), box)
-    envelope = Envelope(sent.encoding, sent.payload, pack_attachment(seq, stamp_ns) + sent.mask, arrived_s)
+    envelope = Envelope(sent.encoding, sent.payload, pack_attachment(seq, stamp_ns) + sent.mask, arrived_s, looks)
     result = await threads.run_in_turn(session, lambda: session.process(envelope))
     return Response(result.to_json(), media_type="application/json")

@@ -49,6 +49,9 @@ class Result(BaseModel):
     confidence: float = Field(ge=0, le=1, description="Probability that the pose is within 5° and 5 cm.")
     parts: list[PartPose] = Field(description="In the order of the category's parts.")
     joints: list[JointValue] = Field(description="In the order of the category's joints.")
+    looks: int | None = Field(
+        description="How many poses the frame might be looked around; null for a pose that was given."
+    )
     timing_ms: Timing
 
 

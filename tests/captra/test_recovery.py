@@ -5,7 +5,7 @@ from captra.geometry import Pose, rotation_angle
 from captra.health import HealthMonitor, State
 from captra.looking import Sighting
 from captra.output_filter import OneEuro
-from captra.recovery import LookBudget, Search, TimeBudget
+from captra.recovery import FEWEST_LOOKS, MOST_LOOKS, LookBudget, Search, TimeBudget
 from captra.sampling import NoPointsError
 from captra.tracker import Tracker, TrackerOptions
 from tests.oracle import OracleNetworks, scene
@@ -51,10 +51,10 @@ def test_a_time_budget_allows_as_many_looks_as_fit() -> None:
     assert budget.looks() == 4
     for _ in range(50):
         budget.spent(400.0)
-    assert budget.looks() == TimeBudget.FEWEST_LOOKS
+    assert budget.looks() == FEWEST_LOOKS
     for _ in range(100):
         budget.spent(0.1)
-    assert budget.looks() == TimeBudget.MOST_LOOKS
+    assert budget.looks() == MOST_LOOKS
 
 
 class Following(OracleNetworks):
@@ -76,11 +76,11 @@ def tracker_of(moved_m: float, looks: int) -> tuple[Tracker, np.ndarray, Pose, P
     networks = Following(category, truth, start)
 
     class Watching(Tracker):
-        def _look(self, observation, segmentation, around, looks):  # type: ignore[no-untyped-def]
+        def _look(self, observation, segmentation, around):  # type: ignore[no-untyped-def]
             found: list[Sighting] = []
             for pose in around:
                 networks.last = pose
-                found += super()._look(observation, segmentation, [pose], looks)
+                found += super()._look(observation, segmentation, [pose])
             return found
 
     monitor = HealthMonitor(state=State.LOST)

@@ -24,7 +24,7 @@ from tests.service.support import running
 
 @pytest.fixture(scope="module")
 def url() -> Iterator[str]:
-    with running("mug", search_budget_ms=0) as started:  # looks by the clock are not repeated
+    with running("mug") as started:
         assert started.service.readiness.wait_prepared(30)
         yield str(started.http.base_url)
 

@@ -33,7 +33,8 @@ def test_every_cloud_gets_a_result_with_all_fields(service: Running, network: ze
         camera.put(f32(blob((x, 0, 0.5))), seq, STAMP_NS + seq)
         result = poses.message(seq)
         assert list(result) == [
-            "session_id", "seq", "stamp_ns", "frame_id", "state", "confidence", "parts", "joints", "timing_ms",
+            "session_id", "seq", "stamp_ns", "frame_id", "state", "confidence", "parts", "joints", "looks",
+            "timing_ms",
         ]  # fmt: skip
         assert result["session_id"] == opened["session_id"]
         assert (result["seq"], result["stamp_ns"]) == (seq, STAMP_NS + seq)

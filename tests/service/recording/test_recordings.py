@@ -26,7 +26,7 @@ def folder(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def recording(folder: Path) -> Iterator[Running]:
-    with running("mug", record_dir=folder, search_budget_ms=0) as started:
+    with running("mug", record_dir=folder) as started:
         assert started.service.readiness.wait_prepared(60)
         yield started
 
