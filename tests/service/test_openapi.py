@@ -86,7 +86,7 @@ def test_clouds_are_described_as_bytes(document: dict[str, Any]) -> None:
         "multipart/form-data",
     }
     assert {entry["name"]: entry["required"] for entry in operation["parameters"]} == {
-        "session_id": True, "seq": True, "stamp_ns": True, "box": False,
+        "session_id": True, "seq": True, "stamp_ns": True, "box": False, "looks": False,
     }  # fmt: skip
 
 
