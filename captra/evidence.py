@@ -5,7 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Bool, Float, Float64
 
+from captra.compiled import compiled
 from captra.geometry import Pose
+from captra.moments import Moments, doubles
 
 
 @dataclass(frozen=True)
@@ -99,15 +101,66 @@ BOX_MARGIN = 0.1
 
 def thickness(points: Float[np.ndarray, "points 3"]) -> float:
     """Standard deviation of points along the direction in which they spread least, in their own unit."""
-    return float(np.sqrt(max(0.0, float(np.linalg.eigvalsh(np.cov(points.T))[0]))))
+    covariance = Moments.of(points, points).products / max(len(points) - 1, 1)
+    return float(np.sqrt(max(0.0, float(np.linalg.eigvalsh(covariance)[0]))))
+
+
+def agreement(
+    fitted: Float[np.ndarray, "points 3"], points: Float[np.ndarray, "points 3"], tolerance: float
+) -> tuple[float, float]:
+    """RMS distance between corresponding points, in their unit, and the share of them nearer than `tolerance`."""
+    square, near = _agreement(doubles(fitted), doubles(points), tolerance * tolerance)
+    return float(np.sqrt(square / len(points))), near / len(points)
 
 
 def share_outside(points_part: Float[np.ndarray, "points 3"], size: Float[np.ndarray, "3"]) -> float:
     """Share of points in a part's own frame that lie outside its box, by more than a tenth of its sides."""
-    return float(1 - (np.abs(points_part) <= (0.5 + BOX_MARGIN) * size).all(axis=-1).mean())
+    inside = _inside(doubles(points_part), np.zeros(3), np.eye(3), doubles((0.5 + BOX_MARGIN) * size))
+    return 1 - np.count_nonzero(inside) / len(points_part)
 
 
 def inside_box(points: Float[np.ndarray, "points 3"], part: Pose) -> Bool[np.ndarray, " points"]:
     """Which points lie in the box of a pose of one part."""
-    own = (points - part.translation[0]) @ part.rotation[0]
-    return np.asarray((np.abs(own) <= part.size[0] / 2).all(axis=-1))
+    centre, rotation, half = part.translation[0], part.rotation[0], part.size[0] / 2
+    return np.asarray(_inside(doubles(points), doubles(centre), doubles(rotation), doubles(half)))
+
+
+def warm_up() -> None:
+    """Compile or load the kernels."""
+    points = np.zeros((2, 3))
+    thickness(points)
+    agreement(points, points, 1.0)
+    share_outside(points, np.ones(3))
+
+
+@compiled
+def _agreement(
+    fitted: Float64[np.ndarray, "points 3"], points: Float64[np.ndarray, "points 3"], squared_tolerance: float
+) -> tuple[float, int]:
+    total, near = 0.0, 0
+    for i in range(len(points)):
+        square = 0.0
+        for axis in range(3):
+            difference = fitted[i, axis] - points[i, axis]
+            square += difference * difference
+        total += square
+        near += square < squared_tolerance
+    return total, near
+
+
+@compiled
+def _inside(
+    points: Float64[np.ndarray, "points 3"],
+    centre: Float64[np.ndarray, "3"],
+    rotation: Float64[np.ndarray, "3 3"],
+    half: Float64[np.ndarray, "3"],
+) -> Bool[np.ndarray, " points"]:
+    inside = np.empty(len(points), np.bool_)
+    for i in range(len(points)):
+        x, y, z = points[i, 0] - centre[0], points[i, 1] - centre[1], points[i, 2] - centre[2]
+        within = True
+        for axis in range(3):
+            own = x * rotation[0, axis] + y * rotation[1, axis] + z * rotation[2, axis]
+            within &= abs(own) <= half[axis]
+        inside[i] = within
+    return inside

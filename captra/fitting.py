@@ -6,8 +6,11 @@ import numpy as np
 from jaxtyping import Float, Float64
 
 from captra.geometry import axis_angle, project_to_rotation, rotation_from_axis
+from captra.moments import Moments
 
 Y = np.array([0.0, 1.0, 0.0])
+SMALLEST_SQUARE = 1e-12
+"""Keeps points that all are in one place from having an infinite scale."""
 
 
 @dataclass(frozen=True)
@@ -43,10 +46,13 @@ def scale_and_translation(
 
     Source: appendix "Scale and Translation Computation".
     """
-    w, c = np.asarray(rotated, np.float64), np.asarray(points, np.float64)
-    w_centred, c_centred = w - w.mean(axis=0), c - c.mean(axis=0)
-    scale = float(np.sum(w_centred * c_centred) / np.maximum(np.sum(w_centred * w_centred), 1e-12))
-    return scale, (c - scale * w).mean(axis=0)
+    return _scale_and_translation(Moments.of(rotated, points), np.eye(3))
+
+
+def _scale_and_translation(moments: Moments, rotation: Float64[np.ndarray, "3 3"]) -> tuple[float, np.ndarray]:
+    """The same for source points that are still to be rotated: Σ w·c is tr(Rᵀ Σ c wᵀ), and lengths stay."""
+    scale = float(np.sum(rotation * moments.products)) / max(moments.source_square, SMALLEST_SQUARE)
+    return scale, moments.target_mean - scale * rotation @ moments.source_mean
 
 
 def symmetric_alignment(
@@ -56,17 +62,15 @@ def symmetric_alignment(
 
     2D Umeyama in the xz-plane (appendix "Scale and Translation Computation").
     """
-    x, z = (np.asarray(coordinates, np.float64) - np.mean(coordinates, axis=0))[:, [0, 2]].T
-    u, w = (np.asarray(points, np.float64) - np.mean(points, axis=0))[:, [0, 2]].T
-    return axis_angle(Y, np.arctan2(np.sum(u * z - w * x), np.sum(u * x + w * z)))
+    products = Moments.of(coordinates, points).products
+    return axis_angle(Y, np.arctan2(products[0, 2] - products[2, 0], products[0, 0] + products[2, 2]))
 
 
 def umeyama(source: Float[np.ndarray, "points 3"], target: Float[np.ndarray, "points 3"]) -> Similarity:
     """Least-squares similarity target ≈ s R source + t (Umeyama 1991)."""
-    x, y = np.asarray(source, np.float64), np.asarray(target, np.float64)
-    x_mean, y_mean = x.mean(axis=0), y.mean(axis=0)
-    rotation = project_to_rotation((y - y_mean).T @ (x - x_mean))
-    scale, translation = scale_and_translation(x @ rotation.T, y)
+    moments = Moments.of(source, target)
+    rotation = project_to_rotation(moments.products)
+    scale, translation = _scale_and_translation(moments, rotation)
     return Similarity(scale, rotation, translation)
 
 

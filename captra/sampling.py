@@ -25,6 +25,9 @@ CROP_ATTEMPTS = 10
 LANES = 16
 """Distances that the processor compares at a time."""
 
+WORTH_ANOTHER_THREAD = 500_000
+"""Distances from points to centroids from which on waking another thread costs less than it saves."""
+
 
 @dataclass(frozen=True)
 class Profile:
@@ -95,8 +98,8 @@ def sampling_weights(
     points_canonical: Float32[np.ndarray, "points 3"], aspect: Float[np.ndarray, "3"], sampling: InputSampling
 ) -> Float32[np.ndarray, " points"]:
     """Weight of each point's distances: 1 within the last box and its margin, less outside."""
-    inside = (np.abs(points_canonical) <= np.asarray(aspect, np.float32) / 2 + np.float32(sampling.margin)).all(axis=-1)
-    return np.where(inside, np.float32(1), np.float32(sampling.surroundings_weight))
+    x, y, z = (np.abs(points_canonical) <= np.asarray(aspect, np.float32) / 2 + np.float32(sampling.margin)).T
+    return np.where(x & y & z, np.float32(1), np.float32(sampling.surroundings_weight))
 
 
 def farthest_points(
@@ -219,6 +222,9 @@ def three_nearest(points: Float32[np.ndarray, "points 3"], references: int) -> I
     return nearest
 
 
+_Groups = tuple[tuple[Int32[np.ndarray, "M1 k"], ...], tuple[Int32[np.ndarray, "M2 k"], ...]]
+
+
 def build_neighborhoods(points_canonical: Float32[np.ndarray, "N 3"], profile: Profile) -> Neighborhoods:
     """Index inputs for one canonical cloud in farthest-point order."""
     return Neighborhoods(*_groups(points_canonical, profile), *_nearest(points_canonical, profile))
@@ -231,10 +237,18 @@ def part_neighborhoods(
 
     The clouds are similar to each other: which points are nearest is the same in all, what is within a radius is not.
     """
-    nearest, groups = side_by_side(
-        lambda: _nearest(points_canonical[0], profile), lambda: [_groups(cloud, profile) for cloud in points_canonical]
+    parts = len(points_canonical)
+    if parts * profile.points * profile.centroids[0] < WORTH_ANOTHER_THREAD:
+        side_by_side = IN_TURN
+
+    def groups_of(clouds: Float32[np.ndarray, "some N 3"]) -> list[_Groups]:
+        return [_groups(cloud, profile) for cloud in clouds]
+
+    (nearest, some), others = side_by_side(
+        lambda: (_nearest(points_canonical[0], profile), groups_of(points_canonical[: parts // 2])),
+        lambda: groups_of(points_canonical[parts // 2 :]),
     )
-    return [Neighborhoods(*of_cloud, *nearest) for of_cloud in groups]
+    return [Neighborhoods(*groups, *nearest) for groups in some + others]
 
 
 def _nearest(
@@ -244,9 +258,7 @@ def _nearest(
     return three_nearest(points_canonical, first), three_nearest(points_canonical[:first], second)
 
 
-def _groups(
-    points_canonical: Float32[np.ndarray, "N 3"], profile: Profile
-) -> tuple[tuple[Int32[np.ndarray, "M1 k"], ...], tuple[Int32[np.ndarray, "M2 k"], ...]]:
+def _groups(points_canonical: Float32[np.ndarray, "N 3"], profile: Profile) -> _Groups:
     first, second = profile.centroids
     return (
         ball_queries(points_canonical, first, RADII[0], profile.groups[0]),

@@ -7,8 +7,17 @@ from jaxtyping import Bool, Float32, Float64, Int
 
 from captra import fitting
 from captra.categories import Category
-from captra.evidence import SMALLEST_SIDE_M, Evidence, PartEvidence, inside_box, shape_jump, share_outside, thickness
-from captra.geometry import Pose, rotation_angle, rotation_from_6d, rotation_from_axis
+from captra.evidence import (
+    SMALLEST_SIDE_M,
+    Evidence,
+    PartEvidence,
+    agreement,
+    inside_box,
+    shape_jump,
+    share_outside,
+    thickness,
+)
+from captra.geometry import Pose, project_to_rotation, rotation_angle, rotation_from_6d, rotation_from_axis
 from captra.joint_projection import UNPROJECTED, JointProjection
 from captra.rotation_fusion import ROTATION_NET_ALONE, RotationFusion
 
@@ -52,13 +61,6 @@ def per_point_rotations(
     return rotation_from_axis(raw) if category.symmetric else rotation_from_6d(raw)
 
 
-def residual_rotation(rotations: Float64[np.ndarray, "points 3 3"], category: Category) -> Float64[np.ndarray, "3 3"]:
-    """The part's residual rotation: the mean over its points; identity for a part without points or finite answers."""
-    if len(rotations) == 0 or not np.isfinite(rotations).all():
-        return np.eye(3)
-    return fitting.mean_axis_rotation(rotations) if category.symmetric else fitting.mean_rotation(rotations)
-
-
 @dataclass(frozen=True)
 class PartRotation:
     """What both networks say of one part's rotation."""
@@ -69,6 +71,23 @@ class PartRotation:
     """The part's coordinates in the gauge of the rotation; none for a part that cannot be fitted."""
     disagreement_rad: float
     """Angle between RotationNet's rotation and that of the full Umeyama fit."""
+    spread: float
+    """How far the points' own rotations are from agreeing, see `residual_rotation`."""
+
+
+def residual_rotation(
+    rotations: Float64[np.ndarray, "points 3 3"], category: Category
+) -> tuple[Float64[np.ndarray, "3 3"], float]:
+    """The mean over a part's points, and their spread; identity for a part without points or finite answers.
+
+    The spread is one minus the length of the mean: of the y axes for symmetric objects, else of the matrices over √3.
+    """
+    mean = rotations.sum(axis=0) / max(len(rotations), 1)
+    if len(rotations) == 0 or not np.isfinite(mean).all():
+        return np.eye(3), 1.0
+    if category.symmetric:
+        return rotation_from_axis(mean[:, 1]), float(1 - np.linalg.norm(mean[:, 1]))
+    return project_to_rotation(mean), float(1 - np.linalg.norm(mean) / np.sqrt(3))
 
 
 def solve(
@@ -105,16 +124,16 @@ def fit_rotation(
     fusion: RotationFusion,
 ) -> PartRotation:
     """One part's rotation from RotationNet and from its coordinates; `points` are those labelled as the part."""
-    delta = residual_rotation(prediction.of_part(part, mask), category)
+    delta, spread = residual_rotation(prediction.of_part(part, mask), category)
     from_rotation_net = last.rotation[part] @ delta
     aligned = prediction.coordinates[part, mask].astype(np.float64)
     if len(points) < FEWEST_POINTS or not np.isfinite(aligned).all():
-        return PartRotation(from_rotation_net, None, np.pi)
+        return PartRotation(from_rotation_net, None, np.pi, spread)
     if category.symmetric:
         aligned = aligned @ fitting.symmetric_alignment(aligned, points @ from_rotation_net).T
     from_coordinates = fitting.umeyama(aligned, points).rotation
     disagreement = _disagreement(from_coordinates, from_rotation_net, category)
-    return PartRotation(fusion(from_rotation_net, from_coordinates), aligned, disagreement)
+    return PartRotation(fusion(from_rotation_net, from_coordinates), aligned, disagreement, spread)
 
 
 def fit_part(
@@ -140,36 +159,28 @@ def fit_part(
     if not np.isfinite(scale) or scale <= 0:
         return *kept, missing
     size = scale * 2 * np.abs(prediction.coordinates[part, mask]).max(axis=0)
-    residuals = np.linalg.norm(scale * rotated + translation - own, axis=-1) / scale
+    residual, inliers = agreement(scale * rotated + translation, own, INLIER_RESIDUAL * scale)
     boxed = inside_box(points, last)
+    in_box = np.count_nonzero(boxed)
     evidence = PartEvidence(
         points=len(own),
         centroid=own.mean(axis=0, dtype=np.float64),
-        residual=float(np.sqrt(np.mean(residuals**2))),
-        inliers=float(np.mean(residuals < INLIER_RESIDUAL)),
+        residual=residual / scale,
+        inliers=inliers,
         disagreement_rad=found.disagreement_rad,
         rotation_jump_rad=_disagreement(found.rotation, last.rotation[0], category),
         translation_jump=float(np.linalg.norm(translation - last.translation[0]) / last.scale[0]),
         scale_jump=float(abs(np.log(scale / last.scale[0]))),
-        spread=rotation_spread(prediction.of_part(part, mask), category),
+        spread=found.spread,
         shape_jump=shape_jump(size, last.size[0]),
         share=len(own) / len(points),
-        filled=float(np.mean(mask[boxed])) if boxed.any() else 0.0,
+        filled=np.count_nonzero(mask & boxed) / in_box if in_box else 0.0,
         certainty=float(prediction.segmentation[part, mask].mean()),
         outside=share_outside((own - translation) @ found.rotation, size),
         thickness=thickness(own) / scale,
         diagonal_error=float(abs(np.log(max(float(np.linalg.norm(size)), SMALLEST_SIDE_M) / scale))),
     )
     return translation, scale, size, evidence
-
-
-def rotation_spread(rotations: Float64[np.ndarray, "points 3 3"], category: Category) -> float:
-    """One minus the length of the mean: of the y axes for symmetric objects, else of the matrices over √3."""
-    if len(rotations) == 0 or not np.isfinite(rotations).all():
-        return 1.0
-    if category.symmetric:
-        return float(1 - np.linalg.norm(rotations[:, :, 1].mean(axis=0)))
-    return float(1 - np.linalg.norm(rotations.mean(axis=0)) / np.sqrt(3))
 
 
 def reject_leaps(pose: Pose, last: Pose) -> Pose:

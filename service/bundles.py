@@ -5,7 +5,7 @@ import logging
 from collections.abc import Sequence
 from pathlib import Path
 
-from captra import depth_images, observations, sampling
+from captra import depth_images, evidence, moments, observations, sampling
 from captra.health import HealthMonitor
 from captra.runtime.bundle import BundleError, find_bundles, load_manifest, verify
 from captra.runtime.cores import available_cores
@@ -46,9 +46,8 @@ class BundleNetworks:
         Raises:
             NoModelError: not one bundle can be used.
         """
-        sampling.warm_up()
-        observations.warm_up()
-        depth_images.warm_up()
+        for kernels in (sampling, observations, depth_images, moments, evidence):
+            kernels.warm_up()
         self._check_files()
         for category in self._preload:
             self._try(category)

@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 
-from captra.evidence import share_outside, thickness
-from captra.geometry import axis_angle
+from captra.evidence import agreement, inside_box, share_outside, thickness
+from captra.geometry import Pose, axis_angle
 
 
 def test_thickness_is_that_of_the_thinnest_direction_whichever_way_it_points() -> None:
@@ -17,3 +17,20 @@ def test_what_lies_beyond_a_box_and_its_margin_is_outside() -> None:
     size = np.array([0.2, 0.1, 0.1])
     points = np.array([[0.0, 0.0, 0.0], [0.1, 0.05, -0.05], [0.119, 0.0, 0.0], [0.13, 0.0, 0.0], [0.0, -0.07, 0.0]])
     assert share_outside(points, size) == pytest.approx(2 / 5)
+
+
+def test_agreement_is_the_rms_distance_and_the_share_that_is_near() -> None:
+    points = np.random.default_rng(1).standard_normal((4, 3)).astype(np.float32)
+    off = np.array([[0.0, 0.0, 0.0], [0.3, 0.0, 0.0], [0.0, 0.4, 0.3], [0.0, 0.0, -0.29]])
+    rms, near = agreement(points + off, points, 0.3)
+    assert rms == pytest.approx(np.sqrt((0.09 + 0.25 + 0.29**2) / 4), rel=1e-6)
+    assert near == pytest.approx(2 / 4)
+
+
+def test_the_box_of_a_pose_is_turned_and_moved_with_it() -> None:
+    rng = np.random.default_rng(2)
+    rotation, centre, size = axis_angle(np.array([1.0, 2.0, 3.0]), 0.7), np.array([0.1, 0.2, 0.5]), np.array([1, 2, 3])
+    own = rng.uniform(-2, 2, (500, 3))
+    box = Pose.from_size(rotation[None], centre[None], size[None])
+    inside = inside_box((own @ rotation.T + centre).astype(np.float32), box)
+    np.testing.assert_array_equal(inside, (np.abs(own) <= size / 2).all(axis=1))

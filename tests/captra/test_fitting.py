@@ -1,11 +1,18 @@
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from captra import fitting
+from captra import fitting, moments
 from captra.geometry import axis_angle, is_rotation, rotation_angle, rotation_from_axis
 
 SEEDS = st.integers(0, 2**32 - 1)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _kernels_are_there() -> None:
+    """Compiled before the first example, whose time is limited."""
+    moments.warm_up()
 
 
 def turn(rng: np.random.Generator, most: float = 3.0) -> np.ndarray:
