@@ -6,7 +6,8 @@ from hypothesis import strategies as st
 from captra import sampling
 from captra.geometry import Pose, axis_angle
 from captra.observations import PointCloud
-from captra.sampling import PROFILES, RADII, InputSampling
+from captra.sampling import PROFILES, RADII, REALTIME, InputSampling
+from captra.side_by_side import WhileCoresAreFree
 
 
 def cloud(seed: int, count: int, spread: float = 0.3) -> np.ndarray:
@@ -66,6 +67,16 @@ def test_three_nearest_are_sorted_by_distance() -> None:
     distance = np.linalg.norm(points[:, None] - points[None, :40], axis=-1)
     np.testing.assert_array_equal(nearest, np.argsort(distance, axis=1)[:, :3])
     np.testing.assert_array_equal(nearest[:40, 0], np.arange(40))
+
+
+@pytest.mark.parametrize("parts", [1, 2, 3, 4])
+def test_neighborhoods_of_parts_are_those_of_each_cloud_however_the_work_is_shared(parts: int) -> None:
+    clouds = np.stack([scale * cloud(5, REALTIME.points) for scale in (1, 2, 0.5, 0.25)[:parts]])
+    for found, one in zip(sampling.part_neighborhoods(clouds, REALTIME, WhileCoresAreFree(2)), clouds, strict=True):
+        expected = sampling.build_neighborhoods(one, REALTIME)
+        for name in ("groups1", "groups2", "nearest1", "nearest2"):
+            for mine, theirs in zip(getattr(found, name), getattr(expected, name), strict=True):
+                np.testing.assert_array_equal(mine, theirs)
 
 
 @pytest.mark.parametrize("profile", PROFILES.values(), ids=PROFILES.keys())
