@@ -11,6 +11,7 @@ from clients.errors import (
     ServiceUnreachableError,
     SessionClosedError,
 )
+from clients.options import Ros2, Smoothing
 from clients.packing import Frame
 from clients.point_cloud2 import PointCloud2
 from clients.regions import Box, Mask
@@ -33,9 +34,11 @@ __all__ = [
     "PointCloud2",
     "RequestRefusedError",
     "Result",
+    "Ros2",
     "ServiceUnreachableError",
     "Session",
     "SessionClosedError",
+    "Smoothing",
     "Timing",
     "crop_ball",
     "open_session",

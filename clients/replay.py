@@ -80,7 +80,7 @@ def replay(url: str | None, path: Path, watch: Callable[[Result], None]) -> list
         try:
             for name, body in messages(path):
                 if name == SESSION and session_id is None:
-                    session_id = api.post_session(body)["session_id"]
+                    session_id = api.post_session(tracked_alike(body))["session_id"]
                 elif name == RESET and session_id is not None:
                     api.put_pose(session_id, body)
                 elif name == FRAME:
@@ -101,6 +101,11 @@ def replay(url: str | None, path: Path, watch: Callable[[Result], None]) -> list
             "field `record` when you open it"
         )
     return pairs
+
+
+def tracked_alike(body: Mapping[str, Any]) -> dict[str, Any]:
+    """A session that is tracked alike: what does not concern its track is left out."""
+    return {name: value for name, value in body.items() if name not in {"record", "ros2"}}
 
 
 def answers_in(path: Path) -> dict[int, Answer]:

@@ -4,13 +4,13 @@ import atexit
 import json
 import time
 from collections import OrderedDict
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, closing, suppress
 from dataclasses import replace
 from pathlib import Path
 from threading import Lock
 from types import TracebackType
-from typing import Literal, Self
+from typing import Self
 
 from captra.geometry import Pose
 from clients import tracking
@@ -18,6 +18,7 @@ from clients.camera import Camera
 from clients.clouds import get_encoding
 from clients.errors import NoResultError, RequestRefusedError, ServiceUnreachableError, SessionClosedError
 from clients.inbox import Inbox
+from clients.options import MaskValues, Prediction, Ros2, SessionOptions, Smoothing
 from clients.packing import Frame, Observation, Packer
 from clients.recorder import Recorder, recorder_for
 from clients.regions import Region
@@ -41,8 +42,13 @@ def open_session(
     idle_timeout_s: float | None = None,
     encoding: str = "i16",
     camera: Camera | None = None,
-    masks: Literal["object", "parts"] | None = None,
+    masks: MaskValues | None = None,
+    prediction: Prediction | None = None,
+    smoothing: Smoothing | None = None,
+    joint_axes: Mapping[str, Sequence[float]] | None = None,
+    ros2: Ros2 | None = None,
     record: Path | str | Recorder | None = None,
+    record_in_service: bool = False,
     timeout_s: float = 10.0,
 ) -> "Session":
     """Open a tracking session; use it with `with`, so that it gets closed.
@@ -59,7 +65,15 @@ def open_session(
         camera: where depth images are sent, the camera that takes them; poses are then in its optical frame.
         masks: where frames bring a `Mask` or `Box`, what a mask's values mean: `object` (zero is background) or `parts`
             (k is part k of the category).
+        prediction: where the object is expected in the next frame: where it was (`none`), or where its velocity carries
+            it (`constant-velocity`); without it the service's own choice.
+        smoothing: filters published poses, so that an object at rest does not tremble; tracking itself is not changed.
+        joint_axes: keeps parts on their joints: axis by joint in the parent part's frame, (3,); joints that are not
+            named have the category's axes, so `{}` is enough. Without it the model decides.
+        ros2: names in ROS 2, of a service that is a node there.
         record: file to write everything into that is sent and received, *.mcap; `captra track` replays it.
+        record_in_service: the service records the session: every frame that it reads, from wherever it comes. The file
+            is `<category>_<session_id>` at `GET /v1/recordings`.
         timeout_s: the longest wait for an answer by HTTP, and for the connection by Zenoh.
 
     Raises:
@@ -67,13 +81,18 @@ def open_session(
         ServiceUnreachableError: no service at the address.
     """
     packer = Packer(get_encoding(encoding), camera, masks)
-    options = {
-        "profile": profile,
-        "frame_id": frame_id,
-        "idle_timeout_s": idle_timeout_s,
-        "camera": None if camera is None else camera.body(),
-        "masks": masks,
-    }
+    options = SessionOptions(
+        profile=profile,
+        frame_id=frame_id,
+        idle_timeout_s=idle_timeout_s,
+        camera=camera,
+        masks=masks,
+        prediction=prediction,
+        smoothing=smoothing,
+        joint_axes=joint_axes,
+        record=record_in_service or None,
+        ros2=ros2,
+    ).body()
     with ExitStack() as resources:
         api = resources.enter_context(closing(RestApi(url, timeout_s)))
         recorder = recorder_for(record) if isinstance(record, Path | str | None) else record

@@ -50,8 +50,8 @@ LINES = sorted(
 
 
 @pytest.fixture(scope="module")
-def service_url() -> Iterator[str]:
-    with running("mug") as started:
+def service_url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    with running("mug", "scissors", record_dir=tmp_path_factory.mktemp("recorded")) as started:
         assert started.service.readiness.wait_prepared(60)
         yield str(started.http.base_url)
 

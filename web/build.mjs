@@ -7,7 +7,7 @@ import { build } from "esbuild";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const out = join(here, "../service/viewer/static");
-await build({
+const { metafile } = await build({
   entryPoints: { app: join(here, "src/main.ts"), style: join(here, "style.css") },
   entryNames: "app",
   assetNames: "[name]",
@@ -18,13 +18,19 @@ await build({
   target: "es2022",
   loader: { ".woff2": "file" },
   logLevel: "warning",
+  metafile: true,
 });
 for (const name of ["index.html", "icon.svg"]) copyFileSync(join(here, name), join(out, name));
-const packages = ["three", "uplot", "@fontsource-variable/inter"];
-const licences = packages.map((name) => {
+const bundled = new Set(
+  Object.keys(metafile.inputs).flatMap((path) => /node_modules\/((?:@[^/]+\/)?[^/]+)/.exec(path)?.[1] ?? []),
+);
+const licences = [...bundled].sort().map((name) => {
   const folder = join(here, "node_modules", name);
-  const { version } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
-  return `${name} ${version}\n\n${readFileSync(join(folder, "LICENSE"), "utf8").trim()}\n`;
+  const { version, license } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
+  const file = readdirSync(folder).find((each) => /^licen[cs]e/i.test(each));
+  // Some name their licence and leave its text out.
+  const text = file === undefined ? join(here, "licences", `${name}.txt`) : join(folder, file);
+  return `${name} ${version} (${license})\n\n${readFileSync(text, "utf8").trim()}\n`;
 });
 writeFileSync(join(out, "LICENSES.txt"), licences.join(`\n${"-".repeat(80)}\n\n`));
 const sources = [

@@ -8,7 +8,7 @@ from typing import Any
 import orjson
 from mcap.exceptions import EndOfFile, McapError
 from mcap.reader import NonSeekingReader, make_reader
-from mcap.writer import Writer
+from mcap.writer import CompressionType, Writer
 
 from captra.data.recordings import RecordingError
 from captra.recording.writer import PAYLOAD_ON, POINT_CLOUD2
@@ -44,7 +44,7 @@ def salvage(path: Path, whole: Path) -> int:
     channels: dict[int, int] = {}
     count = 0
     with path.open("rb") as source, whole.open("wb") as target:
-        writer = Writer(target)
+        writer = Writer(target, compression=CompressionType.LZ4)
         writer.start(profile="", library="captra")
         try:
             for schema, channel, message in NonSeekingReader(source).iter_messages(log_time_order=False):

@@ -50,5 +50,5 @@ def create_app(service: TrackingService) -> FastAPI:
     for module in (sessions, frames, recordings, catalog, probes):
         app.include_router(module.router)
     app.include_router(socket.router)
-    pages.install(app, service.settings.recordings_dir)
+    pages.install(app, service.settings.recordings_dir, service.recordings)
     return app

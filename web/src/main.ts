@@ -51,7 +51,7 @@ byId("placing").addEventListener("submit", (event) => {
 
 const play = (file: File | undefined) => {
   if (file === undefined) return;
-  attempt(async () => app.openRecording(file.name.replace(/\.npz$/, ""), await file.arrayBuffer()));
+  attempt(async () => app.openRecording(file.name.replace(/\.(npz|mcap)$/, ""), await file.arrayBuffer()));
 };
 byId<HTMLInputElement>("file").onchange = ({ target }) => play((target as HTMLInputElement).files?.[0]);
 for (const kind of ["dragover", "dragleave", "drop"] as const) {
@@ -85,6 +85,6 @@ Object.assign(window, {
     trail: () => view.trailLength,
     placed: () => placing.parts,
     shown: () => (view.object.group.visible ? view.object.parts : []),
-    frame: () => app.player?.frame ?? 0,
+    frame: () => app.deck.player?.frame ?? 0,
   },
 });

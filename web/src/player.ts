@@ -1,6 +1,7 @@
 // Plays a recording into a session at the pace of its stamps, every cloud in turn; slower where the service is.
 import { Refusal, type Rest } from "./rest";
 import type { Recording } from "./recording";
+import type { Part } from "./types";
 
 export class Player {
   playing = false;
@@ -16,11 +17,11 @@ export class Player {
   ) {}
 
   get ended(): boolean {
-    return this.frame >= this.recording.clouds.length - 1;
+    return this.frame >= this.recording.frames.length - 1;
   }
 
   async play(): Promise<void> {
-    const { stamps } = this.recording;
+    const { frames } = this.recording;
     if (this.playing) return;
     this.playing = true;
     while (this.playing && this.session !== null) {
@@ -28,7 +29,7 @@ export class Player {
       const sent = performance.now();
       if (!(await this.send(this.session)) || this.ended) break;
       this.frame++;
-      const interval = Number(stamps[this.frame] - stamps[this.frame - 1]) / 1e6;
+      const interval = Number(frames[this.frame].stamp - frames[this.frame - 1].stamp) / 1e6;
       await new Promise((done) => setTimeout(done, Math.max(0, interval - (performance.now() - sent))));
     }
     this.pause();
@@ -42,8 +43,7 @@ export class Player {
   // To the beginning, from where the object was then.
   async rewind(): Promise<void> {
     if (this.session === null) return;
-    await this.rest.reset(this.session, this.recording.init);
-    this.restarted();
+    await this.resetTo(this.session, this.recording.init);
     this.frame = 0;
   }
 
@@ -52,11 +52,17 @@ export class Player {
     this.seq = 0;
   }
 
+  private async resetTo(session: string, parts: Part[]): Promise<void> {
+    await this.rest.reset(session, parts);
+    this.restarted();
+  }
+
   // Whether it goes on.
   private async send(session: string): Promise<boolean> {
-    const { stamps, clouds } = this.recording;
+    const frame = this.recording.frames[this.frame];
     try {
-      await this.rest.postFrame(session, this.seq++, stamps[this.frame], clouds[this.frame]);
+      if (frame.reset !== null) await this.resetTo(session, frame.reset);
+      await this.rest.postFrame(session, this.seq++, frame);
     } catch (error) {
       const reason = error instanceof Refusal ? error.reason : undefined;
       if (reason === "no-points-near-object") return true;

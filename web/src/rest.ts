@@ -1,9 +1,10 @@
 // The service's REST API; refusals become errors that say what to do.
 import type { Keyring } from "./keyring";
-import type { Category, Opened, Part, Result } from "./types";
+import type { Frame } from "./recording";
+import type { Category, Listed, Opened, Part, Result } from "./types";
 
 const JSON_TYPE = "application/json";
-const CLOUD_TYPE = "application/vnd.captra.cloud.i16";
+const BOX_BYTES = 8;
 const UNAUTHORIZED = 401;
 
 export class Refusal extends Error {
@@ -18,6 +19,18 @@ export class Refusal extends Error {
 const poseOf = (parts: Part[]) =>
   parts.map(({ translation, quat_xyzw, size }) => ({ rotation: { quat_xyzw }, translation, size }));
 
+function boxOf(region: Uint8Array<ArrayBuffer>): string {
+  const edges = new DataView(region.buffer);
+  return `&box=${[0, 2, 4, 6].map((at) => edges.getUint16(at, true)).join()}`;
+}
+
+function formOf(payload: Uint8Array<ArrayBuffer>, encoding: string, mask: Uint8Array<ArrayBuffer>): FormData {
+  const form = new FormData();
+  form.append("cloud", new Blob([payload], { type: encoding.split(";")[0] }), "cloud");
+  form.append("mask", new Blob([mask], { type: "image/png" }), "mask.png");
+  return form;
+}
+
 export class Rest {
   constructor(private keys: Keyring) {}
 
@@ -25,16 +38,17 @@ export class Rest {
     return (await (await this.call("GET", "/v1/categories")).json()).categories;
   }
 
-  async recordings(): Promise<{ name: string }[]> {
+  async recordings(): Promise<Listed[]> {
     return (await this.call("GET", "/viewer/recordings")).json();
   }
 
-  async recordingFile(name: string): Promise<ArrayBuffer> {
-    return (await this.call("GET", `/viewer/recordings/${encodeURIComponent(name)}.npz`)).arrayBuffer();
+  async file({ path }: Listed): Promise<ArrayBuffer> {
+    return (await this.call("GET", path)).arrayBuffer();
   }
 
-  async open(category: string, parts: Part[]): Promise<Opened> {
-    return (await this.call("POST", "/v1/sessions", JSON.stringify({ category, parts: poseOf(parts) }))).json();
+  async open(category: string, parts: Part[], options: object): Promise<Opened> {
+    const body = JSON.stringify({ ...options, category, parts: poseOf(parts) });
+    return (await this.call("POST", "/v1/sessions", body)).json();
   }
 
   async reset(id: string, parts: Part[]): Promise<Result> {
@@ -45,12 +59,22 @@ export class Rest {
     await this.call("DELETE", `/v1/sessions/${id}`);
   }
 
-  async postFrame(id: string, seq: number, stamp: bigint, points: Int16Array<ArrayBuffer>): Promise<void> {
-    await this.call("POST", `/v1/sessions/${id}/frames?seq=${seq}&stamp_ns=${stamp}`, points, CLOUD_TYPE);
+  async postFrame(id: string, seq: number, { stamp, encoding, payload, region }: Frame): Promise<void> {
+    const path = `/v1/sessions/${id}/frames?seq=${seq}&stamp_ns=${stamp}`;
+    if (region === null) await this.call("POST", path, payload(), encoding);
+    else if (region.length === BOX_BYTES) await this.call("POST", path + boxOf(region), payload(), encoding);
+    else await this.call("POST", path, formOf(payload(), encoding, region), null);
   }
 
-  private async call(method: string, path: string, body?: BodyInit, type = JSON_TYPE): Promise<Response> {
-    const headers = body === undefined ? this.keys.headers : { ...this.keys.headers, "Content-Type": type };
+  // A form says itself of what type it is.
+  private async call(
+    method: string,
+    path: string,
+    body?: BodyInit,
+    type: string | null = JSON_TYPE,
+  ): Promise<Response> {
+    const headers =
+      body === undefined || type === null ? this.keys.headers : { ...this.keys.headers, "Content-Type": type };
     const answer = await fetch(path, { method, body, headers });
     if (answer.ok) return answer;
     const problem = await answer.json().catch(() => ({}));

@@ -1,22 +1,22 @@
 // The left side: sessions, cameras without a session, recordings.
 import { CardList, type Card } from "./cards";
 import { byId, element, words } from "./dom";
-import type { Category, Scene, Summary } from "./types";
+import type { Model } from "./model";
+import type { Listed, Scene, Summary } from "./types";
 
 const RATE_SECONDS = 0.9;
 
-export interface Lists {
-  sessions: Summary[];
-  previews: string[];
-  recordings: string[];
-  known: Category[];
-  scene: Scene;
-  played: string | null;
-}
-
 export interface Choices {
   look(scene: Scene): void;
-  openRecording(name: string): void;
+  openRecording(listed: Listed): void;
+}
+
+// What a name tells: those that ship are category__source__object__how, those of sessions category_id.
+function told(name: string): { category: string; about: string } {
+  const [, category, session] = /^(.+)_([0-9a-f]{16}(?:-\d+)?)$/.exec(name) ?? [];
+  if (category !== undefined) return { category, about: `session ${session}` };
+  const [first, , ...about] = name.split("__");
+  return { category: first, about: about.join(", ").replaceAll(/[-_]/g, " ") || name };
 }
 
 export class Sidebar {
@@ -43,11 +43,12 @@ export class Sidebar {
     }
   }
 
-  show({ sessions, previews, recordings, known, scene, played }: Lists): void {
-    const trackable = new Set(known.filter((each) => each.trackable).map((each) => each.name));
+  // `played` names a recording.
+  show({ sessions, previews, recordings, known, scene }: Model, played: string | null): void {
+    const untrackable = new Set(known.filter((each) => !each.trackable).map((each) => each.name));
     this.sessions.show(sessions.map((each) => this.sessionCard(each, scene)));
     this.previews.show(previews.map((name) => this.previewCard(name, scene)));
-    this.recordings.show(recordings.map((name) => this.recordingCard(name, trackable, played)));
+    this.recordings.show(recordings.map((each) => this.recordingCard(each, untrackable, played)));
   }
 
   private sessionCard(summary: Summary, scene: Scene): Card {
@@ -76,17 +77,17 @@ export class Sidebar {
     };
   }
 
-  // Recordings are named category__source__object__how.
-  private recordingCard(name: string, trackable: Set<string>, played: string | null): Card {
-    const [category, , ...about] = name.split("__");
-    const tracked = trackable.has(category);
+  private recordingCard(listed: Listed, untrackable: Set<string>, played: string | null): Card {
+    const { name } = listed,
+      { category, about } = told(name.replace(/\.mcap$/, "")),
+      disabled = untrackable.has(category);
     return {
       key: name,
       title: words(category),
-      detail: tracked ? about.join(", ").replaceAll(/[-_]/g, " ") || name : "no model of it here",
+      detail: disabled ? "no model of it here" : about,
       on: played === name,
-      disabled: !tracked,
-      act: () => this.choices.openRecording(name),
+      disabled,
+      act: () => this.choices.openRecording(listed),
     };
   }
 }

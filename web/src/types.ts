@@ -45,6 +45,12 @@ export interface Category {
   trackable: boolean;
 }
 
+// A recording that the service offers to play.
+export interface Listed {
+  name: string;
+  path: string;
+}
+
 export interface Opened {
   session_id: string;
   zenoh: { secret: string | null };
