@@ -7,11 +7,6 @@ from jaxtyping import Float, Float64
 
 Array = np.ndarray
 
-_CROSS = np.array(
-    [[0, 0, 0, 0, 0, -1, 0, 1, 0], [0, 0, 1, 0, 0, 0, -1, 0, 0], [0, -1, 0, 1, 0, 0, 0, 0, 0]], np.float64
-)
-"""Vector → the matrix, row by row, that takes the cross product with it."""
-
 
 @dataclass(frozen=True)
 class Pose:
@@ -81,18 +76,19 @@ def quat_xyzw_from_matrix(rotation: Float[Array, "*batch 3 3"]) -> Float64[Array
 def axis_angle(axis: Float[Array, "*batch 3"], angle: Float[Array, "*batch"] | float) -> Float64[Array, "*batch 3 3"]:
     """Rotation by `angle` radians about `axis`, which need not be of unit length (Rodrigues)."""
     axis = np.asarray(axis, np.float64)
+    half = np.broadcast_to(np.asarray(angle, np.float64), axis.shape[:-1])[..., None] / 2
     unit = axis / np.linalg.norm(axis, axis=-1, keepdims=True)
-    cross = (unit @ _CROSS).reshape(*unit.shape, 3)
-    angle = np.asarray(angle, np.float64)[..., None, None]
-    outer = unit[..., :, None] * unit[..., None, :]
-    return np.asarray(np.cos(angle) * np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * outer)
+    return matrix_from_quat_xyzw(np.concatenate([unit * np.sin(half), np.cos(half)], axis=-1))
 
 
 def rotation_angle(rotation: Float[Array, "*batch 3 3"]) -> Float64[Array, "*batch"]:
     """Angle of a rotation in radians, in [0, π], accurate also near both ends."""
     r = np.asarray(rotation, np.float64)
-    twice_sine = np.linalg.norm(r - np.swapaxes(r, -1, -2), axis=(-2, -1)) / np.sqrt(2)
-    return np.asarray(np.arctan2(twice_sine, np.trace(r, axis1=-2, axis2=-1) - 1))
+    sine = np.linalg.norm(
+        np.stack([r[..., 2, 1] - r[..., 1, 2], r[..., 0, 2] - r[..., 2, 0], r[..., 1, 0] - r[..., 0, 1]], axis=-1),
+        axis=-1,
+    )
+    return np.asarray(np.arctan2(sine, np.trace(r, axis1=-2, axis2=-1) - 1))
 
 
 def rotation_vector(rotation: Float[Array, "*batch 3 3"]) -> Float64[Array, "*batch 3"]:
