@@ -25,32 +25,31 @@ FEATURES = (
     "outside_box",
     "flat",
     "diagonal_error",
+    "guessed_turn",
 )
 """What the model weighs, all of it bad news."""
 
-JUMPS = ("rotation_jump", "translation_jump", "scale_jump")
-"""Those that a search around an old pose cannot avoid."""
-
 UNCALIBRATED: Mapping[str, float] = MappingProxyType(
     {
-        "residual": -1.5,
-        "outliers": -3.0,
-        "disagreement": -1.0,
-        "few_points": -0.5,
-        "sparse_cloud": -2.0,
-        "rotation_jump": -0.5,
+        "residual": -2.3,
+        "outliers": -1.5,
+        "disagreement": -2.6,
+        "few_points": -0.3,
+        "sparse_cloud": -8.0,
+        "rotation_jump": -1.0,
         "translation_jump": -0.5,
-        "scale_jump": -0.5,
-        "shape_jump": -0.5,
-        "spread": -0.3,
-        "unfilled": -1.0,
-        "doubtful_mask": -2.0,
+        "scale_jump": -2.0,
+        "shape_jump": -1.0,
+        "spread": -1.2,
+        "unfilled": -0.1,
+        "doubtful_mask": -9.0,
         "outside_box": -0.5,
-        "flat": -1.0,
-        "diagonal_error": -1.0,
+        "flat": -0.6,
+        "diagonal_error": -9.0,
+        "guessed_turn": -2.0,
     }
 )
-"""Weights before anything was calibrated: the right signs, and roughly the right size."""
+"""Weights that suit most categories: a fit to validation sequences of several of them at once."""
 
 LIKELIEST_LOGIT = 12.0
 FLAT_THICKNESS = 0.02
@@ -76,6 +75,7 @@ def features(part: PartEvidence, distinct_points: int) -> Float64[np.ndarray, " 
             np.log1p(20 * part.outside),
             np.exp(-part.thickness / FLAT_THICKNESS),
             part.diagonal_error,
+            part.guessed_turn,
         ]
     )
 
@@ -84,7 +84,7 @@ def features(part: PartEvidence, distinct_points: int) -> Float64[np.ndarray, " 
 class ConfidenceModel:
     """Logistic regression on the evidence of the worst part."""
 
-    bias: float = 3.2
+    bias: float = 7.3
     """Logit of perfect evidence."""
     weights: Mapping[str, float] = field(default_factory=lambda: UNCALIBRATED)
     """Change of the logit per unit of each feature; one that is not named, in older manifests, says nothing."""
@@ -96,13 +96,5 @@ class ConfidenceModel:
 
     def __call__(self, evidence: Evidence) -> float:
         """Probability that the pose of every part is right: that of the worst one."""
-        return self._worst(np.stack([features(part, evidence.distinct_points) for part in evidence.parts]))
-
-    def regardless_of_jumps(self, evidence: Evidence) -> float:
-        """The same for a pose that was looked for where it was not expected: only the fit itself counts."""
         rows = np.stack([features(part, evidence.distinct_points) for part in evidence.parts])
-        rows[:, [FEATURES.index(name) for name in JUMPS]] = 0
-        return self._worst(rows)
-
-    def _worst(self, rows: Float64[np.ndarray, "parts features"]) -> float:
         return float(1 / (1 + np.exp(-self.logit(rows).min())))

@@ -1,6 +1,6 @@
 """What a step knows of itself: everything that tells how far to trust its pose."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from jaxtyping import Bool, Float, Float64
@@ -45,6 +45,8 @@ class PartEvidence:
     thickness: float
     """Standard deviation of the part's points along the direction in which they spread least, in units of the scale:
     a board that stands before the object has none."""
+    guessed_turn: float
+    """How far the turn about y is guesswork, since no point tells it."""
     diagonal_error: float
     """Absolute logarithm of the ratio of the found box's diagonal to the scale: coordinates that shrink to the middle
     are those of networks that do not know."""
@@ -68,6 +70,7 @@ class PartEvidence:
             certainty=0.0,
             outside=1.0,
             thickness=0.0,
+            guessed_turn=0.0,
             diagonal_error=1.0,
         )
 
@@ -82,6 +85,11 @@ class Evidence:
     """Mean probability, over the network's points, of belonging to the object."""
     distinct_points: int
     """Points given to the networks, without repetitions: a sparse cloud has fewer than the profile asks for."""
+
+    def without_jumps(self) -> "Evidence":
+        """The same for a look that was not expected to find the object just where it looked."""
+        parts = (replace(part, rotation_jump_rad=0.0, translation_jump=0.0, scale_jump=0.0) for part in self.parts)
+        return replace(self, parts=tuple(parts))
 
     @property
     def centroid(self) -> Float64[np.ndarray, "parts 3"]:

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from typing import Any
 
+from captra.belief import FORGETFUL, Belief, belief_of
 from captra.confidence import ConfidenceModel
 
 
@@ -27,8 +28,10 @@ class HealthMonitor:
     """Confidence under which a frame counts against the track."""
     trust_above: float = 0.3
     """Confidence over which a frame counts for it."""
-    patience: int = 4
+    patience: int = 3
     """Frames in doubt before the track is lost, and frames of trust before it is tracking again."""
+    belief: Belief = FORGETFUL
+    """What becomes of a frame's own confidence in the light of those before it."""
     state: State = State.TRACKING
     """Verdict on the last frame."""
     confidence: float = 1.0
@@ -48,7 +51,8 @@ class HealthMonitor:
         if "weights" not in health:
             return HealthMonitor()
         model = ConfidenceModel(health["bias"], dict(health["weights"]))
-        return HealthMonitor(model, health["doubt_below"], health["trust_above"])
+        belief = belief_of(health.get("belief", {}))
+        return HealthMonitor(model, health["doubt_below"], health["trust_above"], belief=belief)
 
     @property
     def calibration(self) -> dict[str, Any]:
@@ -59,6 +63,7 @@ class HealthMonitor:
             "weights": dict(model.weights),
             "doubt_below": self.doubt_below,
             "trust_above": self.trust_above,
+            "belief": self.belief.calibration,
         }
 
     @property
@@ -66,8 +71,9 @@ class HealthMonitor:
         """Whether the last pose is worth going back to."""
         return self.state is State.TRACKING
 
-    def updated(self, confidence: float) -> "HealthMonitor":
-        """The monitor after one more frame, whose pose has this confidence."""
+    def updated(self, told: float) -> "HealthMonitor":
+        """The monitor after one more frame, which by itself gives its pose this confidence."""
+        confidence = self.belief.updated(self.confidence, told)
         state, streak = self._next(confidence)
         return replace(self, state=state, confidence=confidence, streak=streak, missed_frames=0)
 

@@ -17,9 +17,10 @@ from captra.evidence import (
     share_outside,
     thickness,
 )
-from captra.geometry import Pose, project_to_rotation, rotation_angle, rotation_from_6d, rotation_from_axis
+from captra.geometry import Pose, project_to_rotation, rotation_from_6d, rotation_from_axis
 from captra.joint_projection import UNPROJECTED, JointProjection
 from captra.rotation_fusion import ROTATION_NET_ALONE, RotationFusion
+from captra.turn import Turn, angle_between
 
 FEWEST_POINTS = 4
 """A part with fewer keeps its last pose (METHOD, "Step")."""
@@ -73,6 +74,8 @@ class PartRotation:
     """Angle between RotationNet's rotation and that of the full Umeyama fit."""
     spread: float
     """How far the points' own rotations are from agreeing, see `residual_rotation`."""
+    turn: Turn
+    """What the part's points tell of its turn about y."""
 
 
 def residual_rotation(
@@ -105,7 +108,7 @@ def solve(
     ]
     rotations = projection(np.stack([one.rotation for one in found]), category)
     fits = [
-        fit_part(points, prediction, part, mask, replace(one, rotation=rotation), last.part(part), category)
+        fit_part(points, prediction, part, mask, replace(one, rotation=rotation), last.part(part))
         for part, (mask, one, rotation) in enumerate(zip(masks, found, rotations, strict=True))
     ]
     translation, scale, size, parts = zip(*fits, strict=True)
@@ -128,12 +131,13 @@ def fit_rotation(
     from_rotation_net = last.rotation[part] @ delta
     aligned = prediction.coordinates[part, mask].astype(np.float64)
     if len(points) < FEWEST_POINTS or not np.isfinite(aligned).all():
-        return PartRotation(from_rotation_net, None, np.pi, spread)
+        return PartRotation(from_rotation_net, None, np.pi, spread, Turn(0.0, 0.0))
     if category.symmetric:
         aligned = aligned @ fitting.symmetric_alignment(aligned, points @ from_rotation_net).T
     from_coordinates = fitting.umeyama(aligned, points).rotation
-    disagreement = _disagreement(from_coordinates, from_rotation_net, category)
-    return PartRotation(fusion(from_rotation_net, from_coordinates), aligned, disagreement, spread)
+    turn = Turn.seen(prediction.coordinates[part, mask], last.size[part] / last.scale[part], category)
+    disagreement = angle_between(from_coordinates, from_rotation_net, turn)
+    return PartRotation(fusion(from_rotation_net, from_coordinates), aligned, disagreement, spread, turn)
 
 
 def fit_part(
@@ -143,7 +147,6 @@ def fit_part(
     mask: Bool[np.ndarray, " points"],
     found: PartRotation,
     last: Pose,
-    category: Category,
 ) -> tuple[Float64[np.ndarray, "3"], float, Float64[np.ndarray, "3"], PartEvidence]:
     """Translation, scale and size of one part, metres, given its rotation; `last` holds that part alone.
 
@@ -168,7 +171,7 @@ def fit_part(
         residual=residual / scale,
         inliers=inliers,
         disagreement_rad=found.disagreement_rad,
-        rotation_jump_rad=_disagreement(found.rotation, last.rotation[0], category),
+        rotation_jump_rad=angle_between(found.rotation, last.rotation[0], found.turn),
         translation_jump=float(np.linalg.norm(translation - last.translation[0]) / last.scale[0]),
         scale_jump=float(abs(np.log(scale / last.scale[0]))),
         spread=found.spread,
@@ -178,6 +181,7 @@ def fit_part(
         certainty=float(prediction.segmentation[part, mask].mean()),
         outside=share_outside((own - translation) @ found.rotation, size),
         thickness=thickness(own) / scale,
+        guessed_turn=found.turn.guessed,
         diagonal_error=float(abs(np.log(max(float(np.linalg.norm(size)), SMALLEST_SIDE_M) / scale))),
     )
     return translation, scale, size, evidence
@@ -202,10 +206,3 @@ def hold_gauge(pose: Pose, last: Pose, category: Category) -> Pose:
         return pose
     held = [fitting.closest_gauge(new, old) for new, old in zip(pose.rotation, last.rotation, strict=True)]
     return replace(pose, rotation=np.stack(held))
-
-
-def _disagreement(a: Float64[np.ndarray, "3 3"], b: Float64[np.ndarray, "3 3"], category: Category) -> float:
-    """Angle between two rotations, radians; between their y axes for symmetric objects."""
-    if category.symmetric:
-        return float(np.arctan2(np.linalg.norm(np.cross(a[:, 1], b[:, 1])), a[:, 1] @ b[:, 1]))
-    return float(rotation_angle(a.T @ b))

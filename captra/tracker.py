@@ -100,6 +100,7 @@ class Tracker:
                 f"but the pose has {pose.num_parts}"
             )
         self._pose = pose
+        self._given = True  # and rough: the first look may well find the object elsewhere
         self._size = SizeMemory.of(pose, self._options.given_weight_frames)
         self._health = self._health.restarted()
         self._motion = self._options.motion.restarted(pose)
@@ -134,7 +135,7 @@ class Tracker:
         around = self._search.hypotheses(self._motion.expected(time_s), self._health.state, self._looks)
         best = self._choose(self._look(observation, segmentation, around))
         self._health = self._health.updated(self._health.confidence_of(best.evidence))
-        self._pose = self._sized(best)
+        self._pose, self._given = self._sized(best), False
         self._motion = self._motion.observed(self._pose, time_s, trusted=self._health.trusted)
         self._search = self._search.updated(self._pose, self._health.state, self._looks)
         published, self._filter = self._filter.filtered(self._published(), time_s)
@@ -159,8 +160,10 @@ class Tracker:
 
     def _choose(self, sightings: Sequence[Sighting]) -> Sighting:
         """The best one, wherever it looked, with the time that all of them took."""
-        best = max(sightings, key=lambda sighting: self._health.confidence_of.regardless_of_jumps(sighting.evidence))
-        return replace(best, timing=StepTiming.sum(sighting.timing for sighting in sightings))
+        confidence_of = self._health.confidence_of
+        best = max(sightings, key=lambda sighting: confidence_of(sighting.evidence.without_jumps()))
+        evidence = best.evidence.without_jumps() if self._given else best.evidence
+        return replace(best, evidence=evidence, timing=StepTiming.sum(sighting.timing for sighting in sightings))
 
     def _sized(self, found: Sighting) -> Pose:
         """What was found, at the size and in the gauge that the track remembers."""

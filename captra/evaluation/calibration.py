@@ -9,8 +9,15 @@ from jaxtyping import Bool, Float64
 from captra.confidence import FEATURES, UNCALIBRATED, ConfidenceModel
 from captra.evaluation.watching import Watched
 
-RIDGE = 3e-3
-"""Pull towards the uncalibrated weights, per standard deviation of a feature: what data do not tell stays as it was."""
+RIDGE = 0.3
+"""Pull towards the uncalibrated weights, per standard deviation of a feature.
+
+Objects of one category differ more from each other than frames of one object: weights fitted freely to a few objects
+fit the next one worse than those that suit most categories.
+"""
+
+LOOSE_RIDGE = 3e-3
+"""Enough for data of which all are right, or all wrong, to have a best fit."""
 
 NEWTON_STEPS = 30
 
@@ -22,13 +29,13 @@ class Observations:
     features: Float64[np.ndarray, "steps parts features"]
     """As `captra.confidence.FEATURES` orders them."""
     correct: Bool[np.ndarray, "steps parts"]
-    """Whether each part was seen and within 5° and 5 cm."""
+    """Whether each part was seen, and found within 5° and 5 cm."""
 
 
 def observations(watched: Sequence[Watched]) -> Observations:
     """All frames in which there was something to look at."""
     features = np.concatenate([one.features for one in watched])
-    correct = np.concatenate([one.part_correct for one in watched])
+    correct = np.concatenate([one.found for one in watched])
     known = np.isfinite(features).all(axis=(1, 2))
     return Observations(features[known], correct[known])
 
@@ -45,17 +52,19 @@ def fit_confidence(found: Observations) -> ConfidenceModel:
     return _of_the_worst_part(parts, found)
 
 
-def fit(features: Float64[np.ndarray, "rows features"], correct: Bool[np.ndarray, " rows"]) -> ConfidenceModel:
+def fit(
+    features: Float64[np.ndarray, "rows features"], correct: Bool[np.ndarray, " rows"], ridge: float = RIDGE
+) -> ConfidenceModel:
     """Logistic regression by Newton's method, pulled towards the uncalibrated weights.
 
     Every feature is bad news, so a weight that comes out positive says that its feature says nothing here: it is left
     out, and the others are fitted again.
     """
     y, spread = correct.astype(np.float64), np.maximum(features.std(axis=0), 1e-6)
-    prior = np.array([UNCALIBRATED[name] for name in FEATURES]) * spread
+    usual = np.array([UNCALIBRATED[name] for name in FEATURES]) * spread
     z, used = features / spread, np.ones(len(FEATURES), bool)
     while True:
-        bias, weights = _newton(z[:, used], y, prior[used])
+        bias, weights = _newton(z[:, used], y, np.r_[ConfidenceModel().bias, usual[used]], ridge)
         if (weights <= 0).all():
             break
         used[np.flatnonzero(used)[weights > 0]] = False
@@ -70,14 +79,18 @@ def confidences(model: ConfidenceModel, found: Observations) -> Float64[np.ndarr
 
 
 def _newton(
-    z: Float64[np.ndarray, "rows features"], y: Float64[np.ndarray, " rows"], prior: Float64[np.ndarray, " features"]
+    z: Float64[np.ndarray, "rows features"],
+    y: Float64[np.ndarray, " rows"],
+    towards: Float64[np.ndarray, " features+1"],
+    ridge: float,
 ) -> tuple[float, Float64[np.ndarray, " features"]]:
-    x, towards = np.c_[np.ones(len(z)), z], np.r_[ConfidenceModel().bias, prior]
+    """Intercept and slopes of least loss, pulled towards `towards`, which holds the intercept first."""
+    x = np.c_[np.ones(len(z)), z]
     weights = towards.copy()
     for _ in range(NEWTON_STEPS):
         p = 1 / (1 + np.exp(-np.clip(x @ weights, -30, 30)))
-        gradient = x.T @ (y - p) / len(y) - RIDGE * (weights - towards)
-        hessian = (x * (p * (1 - p))[:, None]).T @ x / len(y) + RIDGE * np.eye(len(weights))
+        gradient = x.T @ (y - p) / len(y) - ridge * (weights - towards)
+        hessian = (x * (p * (1 - p))[:, None]).T @ x / len(y) + ridge * np.eye(len(weights))
         step = np.linalg.solve(hessian, gradient)
         weights += step * min(1.0, 5.0 / max(float(np.abs(step).max()), 1e-12))
     return float(weights[0]), weights[1:]
@@ -85,10 +98,9 @@ def _newton(
 
 def _of_the_worst_part(parts: ConfidenceModel, found: Observations) -> ConfidenceModel:
     """The model of single parts, recalibrated to speak for all of them at once (Platt scaling of the lowest logit)."""
-    if found.correct.shape[1] == 1:
-        return parts
     lowest = parts.logit(found.features).min(axis=1)
-    bias, slopes = _newton(lowest[:, None], np.asarray(found.correct.all(axis=1), np.float64), np.ones(1))
+    right = np.asarray(found.correct.all(axis=1), np.float64)
+    bias, slopes = _newton(lowest[:, None], right, np.array([0.0, 1.0]), LOOSE_RIDGE)
     slope = max(float(slopes[0]), 0.1)
     weights = {name: slope * weight for name, weight in parts.weights.items()}
     return ConfidenceModel(bias + slope * parts.bias, weights)

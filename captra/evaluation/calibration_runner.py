@@ -5,13 +5,17 @@ from collections.abc import Sequence
 from captra.evaluation.calibration import Observations, fit_confidence, observations
 from captra.evaluation.incident_runner import Rehearsal, watch_all
 from captra.evaluation.incidents import BRIEF, INCIDENTS
+from captra.evaluation.persistence import fit_persistence
 from captra.evaluation.runner import NetworksSource
 from captra.evaluation.sequences import SequenceSource
 from captra.evaluation.thresholds import choose_thresholds
+from captra.evaluation.watching import Watched
 from captra.evaluation.workers import Workers
 from captra.health import HealthMonitor
 
 FAULTS = tuple(kind for kind in INCIDENTS if kind != "nothing")
+FAULTS_SEARCHED = 3
+"""Incidents of each sequence that are watched with a search: four sequences see every kind at least once."""
 
 
 def calibrated(
@@ -22,15 +26,21 @@ def calibrated(
     A search shows the confidence what looks best among many wrong places, which tracks without one never do; so the
     second round watches searches, steered by the fit to the first.
     """
-    calm = [Rehearsal(source, ("nothing", fault(i)), i, BRIEF) for i, source in enumerate(sources)]
+    calm = [Rehearsal(source, ("nothing", FAULTS[i % len(FAULTS)]), i, BRIEF) for i, source in enumerate(sources)]
     first = [one for some in watch_all(networks, calm, workers, {}, 1) for one in some]
-    steering = choose_thresholds(fit_confidence(observations(first)), first).calibration
-    searching = [Rehearsal(source, (fault(i + 3),), i, BRIEF) for i, source in enumerate(sources)]
+    searching = [Rehearsal(source, faults(i), i, BRIEF) for i, source in enumerate(sources)]
+    steering = monitor_of(first).calibration
     second = [one for some in watch_all(networks, searching, workers, steering, looks) for one in some]
-    found = observations([*first, *second])
-    return choose_thresholds(fit_confidence(found), [*first, *second]), found
+    return monitor_of([*first, *second]), observations([*first, *second])
 
 
-def fault(index: int) -> str:
-    """One kind of incident after the other."""
-    return FAULTS[index % len(FAULTS)]
+def monitor_of(watched: Sequence[Watched]) -> HealthMonitor:
+    """The monitor that fits these tracks: first what single frames tell, then what the past adds, then thresholds."""
+    model = fit_confidence(observations(watched))
+    return choose_thresholds(model, watched, fit_persistence(model, watched))
+
+
+def faults(index: int) -> tuple[str, ...]:
+    """Kinds of incidents for one of many sequences: those after the ones of the sequence before."""
+    first = index * FAULTS_SEARCHED
+    return tuple(FAULTS[i % len(FAULTS)] for i in range(first, first + FAULTS_SEARCHED))

@@ -62,7 +62,7 @@ def calibrate(
 
 def health(
     category: Categories = None,
-    sequences: Annotated[int, typer.Option(help="Procedural test sequences per category.", min=1)] = 4,
+    sequences: Annotated[int, typer.Option(help="Procedural test sequences per category.", min=1)] = 2,
     kinds: Annotated[list[str] | None, typer.Option("--kind", help="Kind of incident; all by default.")] = None,
     rates: Annotated[bool, typer.Option(help="Also with and without prediction, at 10 and 30 Hz.")] = True,
     jobs: Jobs = 2,
@@ -77,13 +77,14 @@ def health(
 ) -> None:
     """Let things go wrong in test sequences, and print how the tracker takes it: told, unharmed, recovered.
 
-    Example: captra health --category mug --sequences 4 --picture reliability.png
+    Example: captra health --category mug --json health.json --markdown health.md --picture reliability.png
     """
     from rich.console import Console
 
     from captra.evaluation import health_report
     from captra.evaluation.cli import exported, with_models
-    from captra.evaluation.health_figures import HealthFigures, figures
+    from captra.evaluation.health_figures import HealthFigures, by_kind, figures
+    from captra.evaluation.health_report import HealthReport
     from captra.evaluation.incident_runner import Rehearsal, watch_all
     from captra.evaluation.incidents import INCIDENTS
     from captra.evaluation.prediction_rates import Rate
@@ -112,26 +113,33 @@ def health(
             found.append(figures(name, watched))
             everything += watched
             if rates:
-                whole = sources_of(name, sequences, cache, TEST_SEED, frames=100)
-                measured += measure_rates(name, networks, whole, pool)
+                measured += measure_rates(name, networks, sources, pool)
     if len(names) > 1:
         found.append(figures("all", everything))
-    for table in health_report.tables(found, measured):
+    report = HealthReport(found, by_kind(everything), measured)
+    for table in health_report.tables(report):
         console.print(table)
+    console.print(f"{processor_minutes():.1f} minutes of processor time for {len(names)} categories")
     if json_out is not None:
-        json_out.write_text(json.dumps(health_report.as_json(found, measured), indent=1, allow_nan=False) + "\n")
+        json_out.write_text(json.dumps(health_report.as_json(report), indent=1, allow_nan=False) + "\n")
     if markdown_out is not None:
-        markdown_out.write_text(health_report.markdown(found, measured))
+        markdown_out.write_text(health_report.markdown(report))
     if picture is not None:
         health_report.draw_reliability(found, picture)
 
 
-def sources_of(
-    name: str, count: int, cache: Path, first_seed: int, frames: int | None = None
-) -> "Sequence[SequenceSource]":
-    """Procedural sequences of a category, by default as long as incidents need them."""
+def processor_minutes() -> float:
+    """What this process and those that it started and saw end have used so far."""
+    import resource
+
+    usages = (resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
+    return sum(usage.ru_utime + usage.ru_stime for usage in usages) / 60
+
+
+def sources_of(name: str, count: int, cache: Path, first_seed: int) -> "Sequence[SequenceSource]":
+    """Procedural sequences of a category, as long as incidents need them."""
     from captra.evaluation.incidents import LONGEST
     from captra.evaluation.sequence_cache import SequenceCache
     from captra.evaluation.sequences import procedural
 
-    return list(procedural(name, count, SequenceCache.open(cache), frames or LONGEST, first_seed))
+    return list(procedural(name, count, SequenceCache.open(cache), LONGEST, first_seed))

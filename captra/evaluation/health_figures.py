@@ -90,7 +90,9 @@ class HealthFigures:
     right: Share
     """Frames within 5° and 5 cm of an object that is in sight."""
     auroc: float
-    """Of the confidence, for telling right frames from wrong ones."""
+    """Of the confidence, for telling right frames from wrong ones, over all frames; an object out of sight is wrong."""
+    auroc_in_sight: float
+    """Likewise, over those frames in which the object is in the cloud."""
     told_in_time: Share
     """Losses that were told within the deadline."""
     delay_p50_frames: float
@@ -111,8 +113,9 @@ class HealthFigures:
 
 def figures(name: str, watched: Sequence[Watched]) -> HealthFigures:
     """All figures of some incidents."""
-    confidence = np.concatenate([one.confidence for one in watched])
-    correct = np.concatenate([one.correct for one in watched])
+    confidence, correct, seen = (
+        np.concatenate([getattr(one, field) for one in watched]) for field in ("confidence", "correct", "seen")
+    )
     lost, back = losses(watched), recoveries(watched)
     delays = [loss.delay for loss in lost if loss.delay is not None]
     kinds = list(dict.fromkeys(one.kind for one in back))
@@ -122,6 +125,7 @@ def figures(name: str, watched: Sequence[Watched]) -> HealthFigures:
         incidents=len(watched),
         right=Share(int(correct.sum()), len(correct)),
         auroc=auroc(confidence, correct),
+        auroc_in_sight=auroc(confidence[seen], correct[seen]),
         told_in_time=Share(sum(delay <= DEADLINE for delay in delays), len(lost)),
         delay_p50_frames=float(np.median(delays)) if delays else float("nan"),
         delay_p95_frames=float(np.quantile(delays, 0.95)) if delays else float("nan"),
@@ -131,6 +135,12 @@ def figures(name: str, watched: Sequence[Watched]) -> HealthFigures:
         reliability=bins,
         calibration_error=sum(abs(b.confidence - b.right.percent / 100) * b.right.whole for b in bins) / len(correct),
     )
+
+
+def by_kind(watched: Sequence[Watched]) -> list[HealthFigures]:
+    """All figures of each kind of incident."""
+    kinds = dict.fromkeys(one.kind for one in watched)
+    return [figures(kind, [one for one in watched if one.kind == kind]) for kind in kinds]
 
 
 def reliability(confidence: Float64[np.ndarray, " frames"], correct: Bool[np.ndarray, " frames"]) -> tuple[Bin, ...]:
@@ -188,6 +198,8 @@ def recoveries(watched: Iterable[Watched]) -> list[Recovery]:
     found = []
     for one in watched:
         before, back = min(one.start, LEAD) - 2, one.stop - 1  # an occluder comes over the object before it hides it
+        if before < 0:
+            continue  # it never held
         held = np.asarray(within(one.rotation_deg, one.translation_cm, HELD_DEG, HELD_CM).all(axis=1))
         if one.kind == "nothing" or not held[before] or len(held) - back <= DEADLINE:
             continue

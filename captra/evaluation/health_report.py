@@ -1,7 +1,7 @@
 """The figures of `captra health` as tables, Markdown, JSON and a reliability diagram."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +12,18 @@ from captra.evaluation.health_figures import DEADLINE, HealthFigures, Share
 from captra.evaluation.prediction_rates import Rate
 
 RATE_COLUMNS = ("category", "Hz", "prediction", "frames", "5°5cm %", "rotation °", "translation cm")
+
+KIND_COLUMNS = (
+    "what goes wrong",
+    "incidents",
+    "AUROC",
+    "in sight",
+    f"told within {DEADLINE}",
+    "delay p50 / p95",
+    "good called lost",
+    "recovered",
+    "… within 5° and 5 cm",
+)
 
 OCCLUSIONS = {"occlusion": "≥ 80 %", "occlusion, moved": "≥ 60 %"}
 """What recovery from 30 frames of occlusion should reach."""
@@ -25,16 +37,25 @@ def rows(found: Sequence[HealthFigures]) -> Iterator[tuple[str, ...]]:
 
     yield row("incidents", "", [str(one.incidents) for one in found])
     yield row("frames within 5° and 5 cm", "", [str(one.right) for one in found])
-    yield row("AUROC of the confidence", "≥ 0.95", [f"{one.auroc:.3f}" for one in found])
+    yield row("AUROC of the confidence", "≥ 0.95", [_number(one.auroc) for one in found])
+    yield row("… while the object is in sight", "", [_number(one.auroc_in_sight) for one in found])
     yield row("mean calibration error", "", [f"{one.calibration_error:.3f}" for one in found])
     yield row(f"losses told within {DEADLINE} frames", "≥ 95 %", [str(one.told_in_time) for one in found])
-    delays = [f"{one.delay_p50_frames:.0f} / {one.delay_p95_frames:.0f}" for one in found]
-    yield row("delay p50 / p95, frames", "", delays)
+    yield row("delay p50 / p95, frames", "", [_delays(one) for one in found])
     yield row("good frames called lost", "≤ 1 %", [str(one.good_called_lost) for one in found])
     for kind in dict.fromkeys(kind for one in found for kind in one.recovered):
         cells = [str(one.recovered.get(kind, Share(0, 0))) for one in found]
         yield row(f"recovered: {kind}", OCCLUSIONS.get(kind, ""), cells)
         yield row("… within 5° and 5 cm", "", [str(one.recovered_well.get(kind, Share(0, 0))) for one in found])
+
+
+def kind_rows(kinds: Sequence[HealthFigures]) -> Iterator[tuple[str, ...]]:
+    """One row for each kind of incident."""
+    for one in kinds:
+        aurocs = (_number(one.auroc), _number(one.auroc_in_sight))
+        back = (sum(shares.values(), Share(0, 0)) for shares in (one.recovered, one.recovered_well))
+        told = (str(one.told_in_time), _delays(one), str(one.good_called_lost))
+        yield (one.name, str(one.incidents), *aurocs, *told, *map(str, back))
 
 
 def rate_rows(rates: Sequence[Rate]) -> Iterator[tuple[str, ...]]:
@@ -44,24 +65,44 @@ def rate_rows(rates: Sequence[Rate]) -> Iterator[tuple[str, ...]]:
         yield (one.name, f"{one.hertz:.0f}", one.prediction, str(one.frames), *errors)
 
 
-def tables(found: Sequence[HealthFigures], rates: Sequence[Rate]) -> Iterator[Table]:
+@dataclass(frozen=True)
+class HealthReport:
+    """Everything that one run found."""
+
+    categories: Sequence[HealthFigures]
+    """One entry a category, and one of all where there are several."""
+    kinds: Sequence[HealthFigures]
+    """One entry a kind of incident, over all categories."""
+    rates: Sequence[Rate] = ()
+    """With and without a prediction of the next pose."""
+
+
+def tables(found: HealthReport) -> Iterator[Table]:
     """For the terminal."""
-    yield _table("how the tracker takes what goes wrong", _columns(found), rows(found))
-    if rates:
-        yield _table("with and without a prediction of the next pose", RATE_COLUMNS, rate_rows(rates))
+    for title, columns, body in _sections(found):
+        yield _table(title, columns, body)
 
 
-def markdown(found: Sequence[HealthFigures], rates: Sequence[Rate]) -> str:
+def markdown(found: HealthReport) -> str:
     """The same tables in Markdown."""
-    parts = [_markdown(_columns(found), rows(found))]
-    if rates:
-        parts.append(_markdown(RATE_COLUMNS, rate_rows(rates)))
-    return "\n\n".join(parts) + "\n"
+    return "\n\n".join(_markdown(columns, body) for _, columns, body in _sections(found)) + "\n"
 
 
-def as_json(found: Sequence[HealthFigures], rates: Sequence[Rate]) -> dict[str, Any]:
+def as_json(found: HealthReport) -> dict[str, Any]:
     """All figures as plain values; what could not be measured is null."""
-    return {"health": [_plain(asdict(one)) for one in found], "rates": [_plain(asdict(one)) for one in rates]}
+    return {
+        "health": [_plain(asdict(one)) for one in found.categories],
+        "kinds": [_plain(asdict(one)) for one in found.kinds],
+        "rates": [_plain(asdict(one)) for one in found.rates],
+    }
+
+
+def _sections(found: HealthReport) -> Iterator[tuple[str, tuple[str, ...], Iterator[tuple[str, ...]]]]:
+    """Title, columns and rows of every table."""
+    yield "how the tracker takes what goes wrong", _columns(found.categories), rows(found.categories)
+    yield "by what goes wrong, over all categories", KIND_COLUMNS, kind_rows(found.kinds)
+    if found.rates:
+        yield "with and without a prediction of the next pose", RATE_COLUMNS, rate_rows(found.rates)
 
 
 def draw_reliability(found: Sequence[HealthFigures], picture: Path) -> None:
@@ -79,6 +120,14 @@ def draw_reliability(found: Sequence[HealthFigures], picture: Path) -> None:
     axes.set(xlim=(0, 1), ylim=(0, 1), xlabel="confidence", ylabel="share of poses within 5° and 5 cm", aspect="equal")
     axes.legend(fontsize="small")
     figure.savefig(picture, dpi=110)
+
+
+def _delays(one: HealthFigures) -> str:
+    return f"{_number(one.delay_p50_frames, 0)} / {_number(one.delay_p95_frames, 0)}"
+
+
+def _number(value: float, digits: int = 3) -> str:
+    return f"{value:.{digits}f}" if np.isfinite(value) else "—"
 
 
 def _columns(found: Sequence[HealthFigures]) -> tuple[str, ...]:

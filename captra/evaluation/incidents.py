@@ -27,8 +27,8 @@ RAMP = 5
 BOARD_NOISE_M = 0.0015
 """Standard deviation of the depth of an occluder."""
 
-LEAST_POINTS = 20
-"""An object with fewer is not in the cloud."""
+LEAST_POINTS, LEAST_SHARE = 20, 0.03
+"""An object with fewer points, or with a smaller share of those that it had at first, is not in the cloud."""
 
 KEPT_SHARE = 0.85
 """Share of a frame's points that is drawn anew whenever the frame is shown again."""
@@ -151,7 +151,8 @@ class _Film:
 
     def incident(self, kind: str, frames: list[_Frame], start: int, stop: int) -> Incident:
         parts, period_ns = self.source.category.num_parts, int(np.median(np.diff(self.source.stamps_ns)))
-        seen = [int(np.count_nonzero(frame.labels < parts)) >= LEAST_POINTS for frame in frames]
+        own = np.array([np.count_nonzero(frame.labels < parts) for frame in frames])
+        seen = own >= max(LEAST_POINTS, LEAST_SHARE * np.median(own[:LEAD]))
         recording = replace(
             self.source,
             name=f"{self.source.name}__{kind}",
@@ -162,7 +163,7 @@ class _Film:
             translation=np.stack([frame.translation for frame in frames]),
             joint_values=np.stack([frame.joint_values for frame in frames]),
         )
-        return Incident(kind, recording, np.array(seen), start, stop)
+        return Incident(kind, recording, seen, start, stop)
 
 
 def nothing(film: _Film) -> Incident:
@@ -211,6 +212,16 @@ def teleport(film: _Film) -> Incident:
     return film.incident("teleport", frames, LEAD, LEAD)
 
 
+def wrong_start(film: _Film) -> Incident:
+    """The first pose is off: 3 to 10 cm and 20 to 60°."""
+    wrong = film.jolt(film.frame(0), (0.03, 0.10), (20.0, 60.0))
+    frames = film.frames(0, LEAD + film.span.fault)
+    told = film.source.init
+    given = wrong(replace(frames[0], rotation=told.rotation, translation=told.translation))
+    source = replace(film.source, init=replace(told, rotation=given.rotation, translation=given.translation))
+    return replace(film, source=source).incident("wrong start", frames, 0, 0)
+
+
 def drop_out(film: _Film) -> Incident:
     """The sensor delivers next to nothing for a while: one point in a hundred, anywhere in the ball."""
     during = [
@@ -247,6 +258,7 @@ INCIDENTS: Mapping[str, Callable[[_Film], Incident]] = MappingProxyType(
         "teleport": teleport,
         "drop-out": drop_out,
         "gap": gap,
+        "wrong start": wrong_start,
     }
 )
 """What can go wrong, by name."""

@@ -6,8 +6,10 @@ from dataclasses import replace
 import numpy as np
 from jaxtyping import Float64
 
+from captra.belief import FORGETFUL, Belief
 from captra.confidence import ConfidenceModel
 from captra.evaluation.health_figures import DEADLINE, false_alarms, gone, losses
+from captra.evaluation.persistence import confidences
 from captra.evaluation.watching import Watched
 from captra.health import HealthMonitor, State
 
@@ -25,16 +27,13 @@ One good frame in a hundred called lost is as bad as one loss in five untold: bo
 """
 
 
-def choose_thresholds(model: ConfidenceModel, watched: Sequence[Watched]) -> HealthMonitor:
+def choose_thresholds(model: ConfidenceModel, watched: Sequence[Watched], belief: Belief = FORGETFUL) -> HealthMonitor:
     """The monitor of least cost on these tracks; of equal ones, that which doubts least."""
     told = [confidences(model, one) for one in watched]
-    monitors = [HealthMonitor(model, doubt, _above(doubt, logits)) for doubt in DOUBTS for logits in TRUST_LOGITS]
+    monitors = [
+        HealthMonitor(model, doubt, _above(doubt, logits), belief=belief) for doubt in DOUBTS for logits in TRUST_LOGITS
+    ]
     return min(monitors, key=lambda monitor: _cost(_retold(monitor, watched, told)))
-
-
-def confidences(model: ConfidenceModel, one: Watched) -> Float64[np.ndarray, " frames"]:
-    """What a model says of each frame: of its worst part, and NaN where there was nothing to look at."""
-    return np.asarray(1 / (1 + np.exp(-model.logit(one.features).min(axis=1))))
 
 
 def states(monitor: HealthMonitor, told: Float64[np.ndarray, " frames"]) -> tuple[State, ...]:

@@ -7,6 +7,7 @@ import numpy as np
 from jaxtyping import Bool, Float64
 
 from captra.confidence import FEATURES, features
+from captra.data.recordings import Recording
 from captra.evaluation.incidents import Incident
 from captra.evaluation.observability import symmetric_frames
 from captra.geometry import Pose
@@ -34,6 +35,9 @@ class Watched:
     """What the tracker said of each frame."""
     confidence: Float64[np.ndarray, " frames"]
     """How sure it was; 0 for frames without points near the object."""
+    found: Bool[np.ndarray, "frames parts"]
+    """Whether the look that its evidence comes from found each part within 5° and 5 cm, if the object was in the cloud:
+    while a search finds nothing better, an older pose is published."""
     rotation_deg: Float64[np.ndarray, "frames parts"]
     """Error of what it published."""
     translation_cm: Float64[np.ndarray, "frames parts"]
@@ -44,14 +48,12 @@ class Watched:
     """Time of each step."""
 
     @property
-    def part_correct(self) -> Bool[np.ndarray, "frames parts"]:
-        """Whether each part is in the cloud and within 5° and 5 cm: nothing bears out what is not seen."""
-        return np.asarray(within(self.rotation_deg, self.translation_cm) & self.seen[:, None])
-
-    @property
     def correct(self) -> Bool[np.ndarray, " frames"]:
-        """Whether every part is."""
-        return np.asarray(self.part_correct.all(axis=1))
+        """Whether the object is in the cloud and every part of what was published within 5° and 5 cm.
+
+        Nothing bears out what is not seen.
+        """
+        return np.asarray(within(self.rotation_deg, self.translation_cm).all(axis=1) & self.seen)
 
 
 def watch(start: Callable[[Pose], Tracker], incidents: Iterable[Incident]) -> Iterator[Watched]:
@@ -68,25 +70,37 @@ def _watch(tracker: Tracker, incident: Incident) -> Watched:
         try:
             result = tracker.step(recording.clouds[frame], time_s=recording.stamps_ns[frame] * 1e-9)
         except NoPointsError:
-            told = (tracker.pose, tracker.health.state, 0.0, np.full((parts, len(FEATURES)), np.nan), 0.0)
+            told = (tracker.health.state, 0.0, np.full((parts, len(FEATURES)), np.nan), 0.0)
+            published = tracker.pose
         else:
             distinct = result.evidence.distinct_points
             known = np.stack([features(part, distinct) for part in result.evidence.parts])
-            told = (result.pose, result.state, result.confidence, known, result.timing.total_ms)
-        pose, truth = told[0], recording.truth(frame)
-        rotation = rotation_error_deg(pose.rotation, truth.rotation, symmetric=bool(symmetric[frame]))
-        rows.append((*told[1:], rotation, translation_error_cm(pose.translation, truth.translation)))
-    states, confidence, known, looks_ms, rotation, translation = zip(*rows, strict=True)
+            told = (result.state, result.confidence, known, result.timing.total_ms)
+            published = result.pose
+        rotation, translation = _errors(published, recording, frame, symmetric=bool(symmetric[frame]))
+        looked = within(*_errors(tracker.pose, recording, frame, symmetric=bool(symmetric[frame])))
+        rows.append((*told, rotation, translation, looked & incident.seen[frame]))
+    states, confidence, known, looks_ms, rotation, translation, found = zip(*rows, strict=True)
     return Watched(
-        recording.name,
-        incident.kind,
-        incident.start,
-        incident.stop,
-        incident.seen[1:],
-        states,
-        np.array(confidence),
-        np.array(rotation),
-        np.array(translation),
-        np.array(known),
-        np.array(looks_ms),
+        name=recording.name,
+        kind=incident.kind,
+        start=incident.start,
+        stop=incident.stop,
+        seen=incident.seen[1:],
+        states=states,
+        confidence=np.array(confidence),
+        found=np.array(found),
+        rotation_deg=np.array(rotation),
+        translation_cm=np.array(translation),
+        features=np.array(known),
+        looks_ms=np.array(looks_ms),
     )
+
+
+def _errors(
+    pose: Pose, recording: Recording, frame: int, *, symmetric: bool
+) -> tuple[Float64[np.ndarray, " parts"], Float64[np.ndarray, " parts"]]:
+    """Degrees and centimetres of each part."""
+    truth = recording.truth(frame)
+    rotation = rotation_error_deg(pose.rotation, truth.rotation, symmetric=symmetric)
+    return rotation, translation_error_cm(pose.translation, truth.translation)

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from captra.confidence import FEATURES, JUMPS, UNCALIBRATED, ConfidenceModel, features
+from captra.confidence import FEATURES, UNCALIBRATED, ConfidenceModel, features
 from captra.evidence import Evidence, PartEvidence
 
 GOOD = PartEvidence(
@@ -25,8 +25,10 @@ GOOD = PartEvidence(
     outside=0.01,
     thickness=0.08,
     diagonal_error=0.03,
+    guessed_turn=0.0,
 )
 BAD = replace(GOOD, residual=0.2, inliers=0.1, disagreement_rad=0.6, certainty=0.5)
+GUESS = replace(GOOD, guessed_turn=1.0)
 
 
 def evidence(*parts: PartEvidence, distinct_points: int = 1024) -> Evidence:
@@ -36,7 +38,6 @@ def evidence(*parts: PartEvidence, distinct_points: int = 1024) -> Evidence:
 def test_there_is_a_feature_and_a_weight_for_every_name() -> None:
     assert features(GOOD, 1024).shape == (len(FEATURES),)
     assert set(UNCALIBRATED) == set(FEATURES)
-    assert set(JUMPS) < set(FEATURES)
 
 
 def test_good_evidence_is_trusted_and_bad_evidence_is_not() -> None:
@@ -59,10 +60,10 @@ def test_a_sparse_cloud_is_trusted_less() -> None:
     assert model(evidence(GOOD, distinct_points=12)) < model(evidence(GOOD))
 
 
-def test_what_is_flat_or_sticks_out_of_its_box_is_trusted_less() -> None:
+def test_what_is_flat_or_guessed_or_sticks_out_of_its_box_is_trusted_less() -> None:
     model, good = ConfidenceModel(), ConfidenceModel()(evidence(GOOD))
-    for worse in (replace(GOOD, thickness=0.001), replace(GOOD, outside=0.4), replace(GOOD, diagonal_error=0.6)):
-        assert model(evidence(worse)) < good - 0.05
+    for worse in (replace(GOOD, thickness=0.001), replace(GOOD, outside=0.4), replace(GOOD, diagonal_error=0.6), GUESS):
+        assert model(evidence(worse)) < good - 0.01
 
 
 def test_a_fit_from_before_a_feature_was_known_still_counts() -> None:
@@ -75,7 +76,8 @@ def test_jumps_do_not_count_where_they_were_to_be_expected() -> None:
     jumped = replace(GOOD, rotation_jump_rad=0.5, translation_jump=0.6, scale_jump=0.1)
     model = ConfidenceModel()
     assert model(evidence(jumped)) < model(evidence(GOOD))
-    assert model.regardless_of_jumps(evidence(jumped)) == pytest.approx(model.regardless_of_jumps(evidence(GOOD)))
+    assert model(evidence(jumped).without_jumps()) == pytest.approx(model(evidence(GOOD).without_jumps()))
+    assert model(evidence(BAD).without_jumps()) < model(evidence(GOOD))
 
 
 @given(st.floats(0, 1), st.floats(0, 3), st.floats(0, 1), st.floats(0, 1))

@@ -1,5 +1,6 @@
 import pytest
 
+from captra.belief import Persistence
 from captra.confidence import ConfidenceModel
 from captra.health import HealthMonitor, State
 
@@ -28,10 +29,10 @@ def test_between_the_thresholds_the_state_stays() -> None:
 
 
 def test_lost_within_five_frames_and_back_only_after_patience() -> None:
-    states = run(HealthMonitor(), *[BAD] * 6, *[GOOD] * 4)
-    assert states[:3] == [State.UNCERTAIN] * 3
-    assert states[3:6] == [State.LOST] * 3
-    assert states[6:] == [State.RECOVERING] * 3 + [State.TRACKING]
+    states = run(HealthMonitor(), *[BAD] * 6, *[GOOD] * 3)
+    assert states[:2] == [State.UNCERTAIN] * 2
+    assert states[2:6] == [State.LOST] * 4
+    assert states[6:] == [State.RECOVERING] * 2 + [State.TRACKING]
 
 
 def test_relapse_while_recovering_is_lost_again() -> None:
@@ -43,7 +44,7 @@ def test_frames_without_points_are_lost_within_five_but_one_alone_changes_nothin
     for _ in range(5):
         monitor = monitor.missed()
         states.append(monitor.state)
-    assert states == [State.TRACKING, *[State.UNCERTAIN] * 3, State.LOST]
+    assert states == [State.TRACKING, *[State.UNCERTAIN] * 2, *[State.LOST] * 2]
     assert HealthMonitor().missed().updated(GOOD).missed().state is State.TRACKING
 
 
@@ -57,8 +58,21 @@ def test_a_given_pose_starts_a_new_track() -> None:
 
 
 def test_a_manifest_gives_back_the_calibrated_monitor() -> None:
-    monitor = HealthMonitor(ConfidenceModel(bias=1.5), doubt_below=0.12, trust_above=0.4)
-    assert HealthMonitor.calibrated(monitor.calibration).calibration == monitor.calibration
+    monitor = HealthMonitor(ConfidenceModel(bias=1.5), doubt_below=0.12, trust_above=0.4, belief=Persistence(0.9))
+    assert HealthMonitor.calibrated(monitor.calibration) == monitor
+
+
+def test_a_manifest_from_before_there_was_a_belief_gives_a_monitor_without_one() -> None:
+    older = {name: value for name, value in HealthMonitor().calibration.items() if name != "belief"}
+    assert run(HealthMonitor.calibrated(older), BAD, GOOD) == [State.UNCERTAIN, State.TRACKING]
+
+
+def test_with_a_belief_one_middling_frame_is_no_doubt_and_one_good_one_no_trust() -> None:
+    monitor = HealthMonitor(doubt_below=0.2, belief=Persistence())
+    assert run(monitor, *[GOOD] * 3, MIDDLING) == [State.TRACKING] * 4
+    states = run(monitor, *[BAD] * 6, *[GOOD] * 8)
+    assert State.LOST in states[:5]
+    assert states[-1] is State.TRACKING
 
 
 @pytest.mark.parametrize("health", [{}, {"bias": 1.0, "residual": -4.0}])

@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -128,3 +130,16 @@ def test_networks_that_answer_nonsense_change_nothing_and_are_not_trusted() -> N
     np.testing.assert_allclose(result.pose.size, truth.size)
     np.testing.assert_allclose(result.pose.rotation, truth.rotation)
     assert result.confidence < 0.2
+
+
+def test_a_given_pose_may_be_rough_but_the_next_leap_counts() -> None:
+    category, truth, cloud = scene("camera", np.random.default_rng(21))
+    start = replace(truth, translation=truth.translation + [0.02, 0.0, 0.0])
+    networks = OracleNetworks(category, truth, start)
+    tracker = Tracker(networks, start)
+    assert tracker.step(cloud).evidence.parts[0].translation_jump == 0
+    networks.last = tracker.pose
+    networks.truth = replace(truth, translation=truth.translation + [0.03, 0.0, 0.0])
+    assert tracker.step((cloud + [0.03, 0.0, 0.0]).astype(np.float32)).evidence.parts[0].translation_jump > 0.05
+    tracker.reset(tracker.pose)
+    assert tracker.step(cloud).evidence.parts[0].translation_jump == 0

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from captra.confidence import FEATURES, UNCALIBRATED, ConfidenceModel
-from captra.evaluation.calibration import Observations, auroc, confidences, fit, fit_confidence
+from captra.evaluation.calibration import LOOSE_RIDGE, RIDGE, Observations, auroc, confidences, fit, fit_confidence
 
 TRUTH = ConfidenceModel(2.0, {name: -float(1 + i % 3) for i, name in enumerate(FEATURES)})
 
@@ -18,7 +18,7 @@ def made_up(steps: int = 4000, parts: int = 1) -> Observations:
 
 def test_the_model_that_made_the_data_is_found_again() -> None:
     found = made_up()
-    model = fit(found.features[:, 0], found.correct[:, 0])
+    model = fit(found.features[:, 0], found.correct[:, 0], LOOSE_RIDGE)
     difference = confidences(model, found) - confidences(TRUTH, found)
     assert np.abs(difference).mean() < 0.05
 
@@ -32,11 +32,22 @@ def test_confidence_is_calibrated_for_all_parts_at_once(parts: int) -> None:
     assert confidence[sure].mean() == pytest.approx(right[sure].mean(), abs=0.05)
 
 
+def test_a_fit_to_few_objects_stays_near_what_suits_most_categories() -> None:
+    found = made_up(300)
+    far, near = (fit(found.features[:, 0], found.correct[:, 0], ridge) for ridge in (LOOSE_RIDGE, RIDGE))
+    spread = found.features[:, 0].std(axis=0)
+
+    def distance(model: ConfidenceModel) -> float:
+        return float(np.linalg.norm([model.weights[name] - UNCALIBRATED[name] for name in FEATURES] * spread))
+
+    assert 0 < distance(near) < distance(far) / 1.5
+
+
 def test_a_feature_that_seems_to_be_good_news_is_left_out() -> None:
     found = made_up()
     flipped = found.features.copy()
     flipped[:, 0, 0] = np.where(found.correct[:, 0], 1.0, 0.0)
-    model = fit(flipped[:, 0], found.correct[:, 0])
+    model = fit(flipped[:, 0], found.correct[:, 0], LOOSE_RIDGE)
     assert model.weights[FEATURES[0]] == 0
     assert all(weight <= 0 for weight in model.weights.values())
 

@@ -1,6 +1,7 @@
 import collections.abc
 import json
 import pickle
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -9,14 +10,24 @@ from matplotlib.image import imread
 from rich.console import Console
 
 from captra.confidence import FEATURES
-from captra.evaluation.health_figures import Loss, Share, false_alarms, figures, losses, recoveries, reliability
-from captra.evaluation.health_report import as_json, draw_reliability, markdown, tables
+from captra.evaluation.health_figures import (
+    Loss,
+    Share,
+    by_kind,
+    false_alarms,
+    figures,
+    losses,
+    recoveries,
+    reliability,
+)
+from captra.evaluation.health_report import HealthReport, as_json, draw_reliability, markdown, tables
 from captra.evaluation.incident_runner import Rehearsal, watch_all
 from captra.evaluation.incidents import INCIDENTS, LEAD, make_incident
 from captra.evaluation.prediction_rates import EveryNth, Rate, rates
 from captra.evaluation.sequences import Sequence
 from captra.evaluation.watching import Watched, watch
 from captra.evaluation.workers import Here
+from captra.geometry import Pose, rotation_angle
 from captra.health import State
 from captra.tracker import Tracker
 from tests.captra.evaluation.test_evaluation import Held, Ready, still_recording
@@ -43,6 +54,7 @@ def told(
         seen=seen[1:],
         states=tuple(states),
         confidence=np.where(np.array(states) == T, 0.9, 0.1),
+        found=(np.nan_to_num(rotation, nan=90.0) <= 5)[:, None],
         rotation_deg=np.nan_to_num(rotation)[:, None],
         translation_cm=np.zeros((len(states), 1)),
         features=np.zeros((len(states), 1, len(FEATURES))),
@@ -63,6 +75,27 @@ def test_a_loss_counts_from_its_first_frame() -> None:
 def test_good_frames_called_lost_are_counted_outside_the_search() -> None:
     one = told([T, L, T, *[L] * 6, T, T, L], [1, 1, 1, *[HIDDEN] * 6, 1, 1, 1], 4, 10)
     assert false_alarms([one]) == Share(2, 5)
+
+
+def test_a_search_that_starts_from_a_wrong_pose_is_no_recovery() -> None:
+    assert recoveries([told([*[L] * 6, *[T] * 8], [*[40] * 6, *[1] * 8], 0, 0, "wrong start")]) == []
+
+
+def test_figures_by_kind_are_those_of_its_incidents() -> None:
+    hidden = told([T, T, *[L] * 6, *[T] * 8], [1, 1, *[HIDDEN] * 6, *[1] * 8], 3, 9)
+    calm = told([T] * 5, [1] * 5, 6, 6, "nothing")
+    found = {one.name: one for one in by_kind([hidden, calm, calm])}
+    assert {name: one.incidents for name, one in found.items()} == {"occlusion": 1, "nothing": 2}
+    assert found["occlusion"].told_in_time == Share(1, 1)
+    assert found["nothing"].right == Share(10, 10)
+
+
+def test_an_object_out_of_sight_counts_in_one_auroc_and_not_in_the_other() -> None:
+    blind = told([T] * 8, [1, 1, 60, 60, *[HIDDEN] * 4], 3, 3)
+    blind = replace(blind, confidence=np.array([0.9, 0.9, 0.1, 0.1, *[0.95] * 4]))
+    one = figures("camera", [blind])
+    assert one.auroc_in_sight == 1
+    assert one.auroc == pytest.approx(1 / 3)
 
 
 def test_recovery_needs_a_right_pose_in_a_track_that_held_before() -> None:
@@ -94,14 +127,14 @@ def test_every_form_of_the_report_holds_every_figure(tmp_path: Path) -> None:
     assert found[0].auroc == 1
     assert (found[0].told_in_time, found[0].recovered["occlusion"]) == (Share(1, 1), Share(1, 1))
     assert found[0].calibration_error == pytest.approx(0.1)
-    rates = [Rate("camera", 10.0, "none", 16, 87.5, 2.25, 0.5)]
+    report = HealthReport(found, by_kind([one]), [Rate("camera", 10.0, "none", 16, 87.5, 2.25, 0.5)])
     console = Console(record=True, width=200)
-    for table in tables(found, rates):
+    for table in tables(report):
         console.print(table)
-    for text in (console.export_text(), markdown(found, rates)):
+    for text in (console.export_text(), markdown(report)):
         for cell in ("AUROC", "≥ 0.95", "1.000", "recovered: occlusion", "≥ 80 %", "100.0 % of 1", "87.5"):
             assert cell in text
-    plain = json.loads(json.dumps(as_json(found, rates), allow_nan=False))
+    plain = json.loads(json.dumps(as_json(report), allow_nan=False))
     assert plain["health"][0]["recovered"]["occlusion"] == {"part": 1, "whole": 1}
     assert plain["rates"][0]["within_5deg_5cm_percent"] == 87.5
     draw_reliability(found, tmp_path / "reliability.png")
@@ -110,7 +143,7 @@ def test_every_form_of_the_report_holds_every_figure(tmp_path: Path) -> None:
 
 def test_figures_that_cannot_be_measured_are_null(tmp_path: Path) -> None:
     calm = told([T] * 5, [1] * 5, 6, 6, "nothing")
-    (plain,) = as_json([figures("camera", [calm])], [])["health"]
+    (plain,) = as_json(HealthReport([figures("camera", [calm])], []))["health"]
     assert (plain["auroc"], plain["delay_p50_frames"], plain["recovered"]) == (None, None, {})
 
 
@@ -155,11 +188,21 @@ def test_an_incident_is_the_same_every_time_and_ends_as_it_should(kind: str) -> 
     assert len(one.seen) == len(one.recording) == len(one.recording.rotation)
     assert one.seen[:LEAD].all()
     assert one.seen[one.stop :].all()
-    hides = kind in {"occlusion", "occlusion, moved", "removed", "left view"}
+    hides = kind in {"occlusion", "occlusion, moved", "removed", "left view", "drop-out"}
     assert (not one.seen.all()) == hides
     if kind == "drop-out":
         assert max(len(cloud) for cloud in one.recording.clouds[LEAD : one.stop]) < 0.05 * len(recording.clouds[0])
     assert np.diff(one.recording.stamps_ns).min() > 0
+
+
+def test_a_wrong_start_is_off_and_what_is_seen_is_as_it_was() -> None:
+    recording = still_recording("camera", 30)
+    incident = make_incident("wrong start", recording, 1)
+    given, truth = incident.recording.init, recording.truth(0)
+    assert 0.02 <= np.linalg.norm(given.translation[0] - truth.translation[0]) <= 0.12
+    assert 15 <= np.degrees(rotation_angle(given.rotation[0].T @ truth.rotation[0])) <= 65
+    np.testing.assert_array_equal(incident.recording.clouds[3], recording.clouds[3])
+    np.testing.assert_array_equal(given.size, recording.init.size)
 
 
 def test_a_moved_object_is_where_its_truth_says() -> None:
@@ -185,3 +228,20 @@ def test_perfect_networks_are_watched_to_be_right_until_the_object_is_gone() -> 
     assert one.correct[: LEAD - 1].all()
     assert not one.correct[~one.seen].any()
     assert one.confidence[: LEAD - 1].min() > one.confidence[~one.seen].max()
+
+
+class Elsewhere(Tracker):
+    """Publishes a pose 6 cm from where it found the object."""
+
+    def _published(self) -> Pose:
+        pose = super()._published()
+        return replace(pose, translation=pose.translation + [0.06, 0.0, 0.0])
+
+
+def test_what_a_look_found_is_told_apart_from_what_is_published() -> None:
+    recording = still_recording("camera", 24)
+    truth = recording.truth(0)
+    oracle = OracleNetworks(recording.category, truth, truth)
+    (one,) = watch(lambda pose: Elsewhere(oracle, pose), [make_incident("nothing", recording, 0)])
+    assert one.found.all()
+    assert not one.correct.any()

@@ -4,7 +4,8 @@ import numpy as np
 
 from captra.confidence import FEATURES, UNCALIBRATED, ConfidenceModel
 from captra.evaluation.health_figures import DEADLINE, Share, false_alarms, losses
-from captra.evaluation.thresholds import choose_thresholds, confidences, states
+from captra.evaluation.persistence import confidences
+from captra.evaluation.thresholds import choose_thresholds, states
 from captra.evaluation.watching import Watched
 from captra.health import HealthMonitor, State
 from tests.captra.evaluation.test_health_report import HIDDEN, told
@@ -37,7 +38,7 @@ def test_thresholds_tell_losses_apart_from_good_frames_that_are_not_sure() -> No
     monitor = choose_thresholds(MODEL, [lost, unsure])
     assert 0.45 < monitor.doubt_below < 0.62
     retold = [replace(one, states=states(monitor, confidences(MODEL, one))) for one in (lost, unsure)]
-    assert [loss.delay for loss in losses(retold) if loss.delay is not None and loss.delay <= DEADLINE] == [4]
+    assert [loss.delay for loss in losses(retold) if loss.delay is not None and loss.delay <= DEADLINE] == [3]
     assert false_alarms(retold).part == 0
 
 
