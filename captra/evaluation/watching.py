@@ -80,7 +80,7 @@ def _watch(tracker: Tracker, incident: Incident) -> Watched:
         rotation, translation = _errors(published, recording, frame, symmetric=bool(symmetric[frame]))
         looked = within(*_errors(tracker.pose, recording, frame, symmetric=bool(symmetric[frame])))
         rows.append((*told, rotation, translation, looked & incident.seen[frame]))
-    states, confidence, known, looks_ms, rotation, translation, found = zip(*rows, strict=True)
+    states, confidence, evidence, looks_ms, rotations, translations, found = zip(*rows, strict=True)
     return Watched(
         name=recording.name,
         kind=incident.kind,
@@ -90,9 +90,9 @@ def _watch(tracker: Tracker, incident: Incident) -> Watched:
         states=states,
         confidence=np.array(confidence),
         found=np.array(found),
-        rotation_deg=np.array(rotation),
-        translation_cm=np.array(translation),
-        features=np.array(known),
+        rotation_deg=np.array(rotations),
+        translation_cm=np.array(translations),
+        features=np.array(evidence),
         looks_ms=np.array(looks_ms),
     )
 
