@@ -5,7 +5,7 @@ import os
 import socket
 import subprocess
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import closing, suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -26,9 +26,18 @@ HINDERED = "hindered"
 class ServiceProcess:
     """`captra serve` with its embedded Zenoh router; used with `with`, which waits until it is ready and stops it."""
 
-    def __init__(self, settings: Mapping[str, str] | None = None, ready_within_s: float = 180.0) -> None:
-        """`settings` are further CAPTRA_* variables; compiling kernels for the first time takes most of the wait."""
+    def __init__(
+        self,
+        settings: Mapping[str, str] | None = None,
+        ready_within_s: float = 180.0,
+        module: Sequence[str] = ("captra", "serve"),
+    ) -> None:
+        """`settings` are further CAPTRA_* variables; compiling kernels for the first time takes most of the wait.
+
+        `module` is what Python runs, with its arguments.
+        """
         self._settings = dict(settings or {})
+        self._module = module
         self._ready_within_s = ready_within_s
         self._http_port, self._zenoh_port = free_ports(2)
 
@@ -47,7 +56,7 @@ class ServiceProcess:
         self._log = Path(self._folder.name, "service.log")
         with self._log.open("wb") as log:
             self._process = subprocess.Popen(
-                [sys.executable, "-m", "captra", "serve"],
+                [sys.executable, "-m", *self._module],
                 env=os.environ | self._own_settings() | self._settings,
                 stdin=subprocess.DEVNULL,
                 stdout=log,

@@ -33,6 +33,8 @@ def router_config(
         "scouting/multicast/enabled": False,
         "scouting/gossip/enabled": False,
         "scouting/delay": 0,  # nobody to wait for
+        # Each client on this machine would have 16 MiB mapped here, and left mapped when it goes.
+        "transport/shared_memory/enabled": False,
         "transport/link/rx/max_message_size": max_message_bytes,
         "transport/link/tx/queue/size/interactive_high": 16,  # results of many sessions to one subscriber, the most
     }

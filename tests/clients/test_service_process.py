@@ -30,6 +30,16 @@ def test_it_serves_while_the_block_runs_and_ends_cleanly(untrained_models: Path)
         httpx.get(service.url)
 
 
+@pytest.mark.skipif(not Path("/proc/self/maps").exists(), reason="memory maps are Linux's")
+def test_clients_that_go_leave_no_memory_mapped(untrained_models: Path) -> None:
+    recording = drifting_mug(1)
+    with ServiceProcess({"CAPTRA_MODELS_DIR": str(untrained_models)}) as service:
+        for _ in range(2):
+            with open_session("mug", recording.init, url=service.url) as session:
+                list(session.track(recording.clouds))
+        assert "/dev/shm" not in Path(f"/proc/{service.pid}/maps").read_text()
+
+
 def test_a_service_that_ends_at_once_is_told_with_its_last_words() -> None:
     with pytest.raises(ServiceUnreachableError, match=r"(?s)ended with status 2.*profile"):
         ServiceProcess({"CAPTRA_PROFILE": "huge"}).__enter__()
