@@ -1,71 +1,92 @@
-"""Whether memory stays flat over many frames: bytes in, JSON out, in one process, without HTTP and Zenoh around it.
+"""Whether a service stays as large as it is over many frames: HTTP, Zenoh, sessions and store as they are served.
 
-python -m benchmarks.long_run --frames 100000
+    python -m benchmarks.long_run --frames 100000
 
-The networks are those that ship, at a small number of points, so that frames are cheap: what a frame allocates does not
-depend on it. Ends with status 0 only if memory has not grown by more than the limit after the first tenth.
+Two categories are tracked at a time in one service. Its networks are those that ship, at so few points that a frame
+takes few milliseconds, and clouds are small: what a frame leaves behind does not depend on either. `--real` takes the
+profile `realtime` and whole clouds instead. Ends with status 0 only if memory has not grown by more than the limit
+after the first tenth.
 """
 
-import gc
-import os
+import json
 import sys
+import time
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
+from unittest import mock
 
-import numpy as np
 import typer
 
-from captra.data.recordings import load_recording
-from captra.runtime.onnx_networks import OnnxNetworks
-from captra.sampling import NoPointsError, Profile
-from clients.demo import COFFEE_MUG
-from service.bundles import engine_of
-from service.codecs.packed import CLOUD_F32, packed_codecs
-from service.envelopes import Envelope, pack_attachment
-from service.results import part_poses
+from captra.data.recordings import Recording, load_recording
+from captra.sampling import REALTIME, Profile
+from clients.measuring import PATIENCE_S, resident_mib
+from clients.service_process import ServiceProcess
+from clients.session import open_session
+from service import bundles
+from service.run import run
+from service.settings import load_settings
 
-SMALL = Profile("small", 128, (32, 8), ((4, 8, 16), (8, 16)))
-ROWS = 10
+SMALL = Profile(REALTIME.name, 128, (32, 8), ((4, 8, 16), (8, 16)))
+EVERY = 20
+"""Of so many points of a cloud one is kept."""
+
+RECORDINGS = ("mug__sweethome3d-KatorLegaz__coffee-mug__hand", "can__osrf_gazebo__coke_can__table")
+ROWS = 20
 LIMIT_MIB = 8.0
+SERVE = "serve"
 
 
 def main(
-    frames: Annotated[int, typer.Option(help="So many.")] = 100_000,
-    provider: Annotated[str, typer.Option(help="cpu, openvino, cuda or auto.")] = "cpu",
-    models: Annotated[Path, typer.Option(help="Folder of bundles.")] = Path("models"),
+    frames: Annotated[int, typer.Option(help="So many, over both sessions.")] = 100_000,
+    provider: Annotated[str, typer.Option(help="cpu, openvino, cuda or auto.")] = "auto",
+    real: Annotated[bool, typer.Option("--real", help="The profile and clouds of every day.")] = False,
+    recordings: Annotated[Path, typer.Option(help="Folder of the recordings that ship.")] = Path("recordings"),
 ) -> None:
-    """Track the bundled mug again and again and print memory."""
-    recording = load_recording(COFFEE_MUG)
-    networks = OnnxNetworks.load(models / "mug", SMALL, provider)
-    tracker = engine_of(networks).start(recording.init)
-    codec = next(each for each in packed_codecs(1_000_000) if each.encoding == CLOUD_F32)
-    payloads = [np.ascontiguousarray(cloud, "<f4").tobytes() for cloud in recording.clouds]
-    attachment = pack_attachment(0, 0)
-    memory_mib, written = [], 0
-    for frame in range(frames):
-        envelope = Envelope(CLOUD_F32, bytes(bytearray(payloads[frame % len(payloads)])), attachment, 0.0)
-        if frame % len(payloads) == 0:
-            tracker.reset(recording.init)
-        try:
-            result = tracker.step(codec.open(envelope).observe())
-        except NoPointsError:
-            tracker.reset(recording.init)
-            continue
-        written += len(str(part_poses(result.pose, networks.category)))
-        if (frame + 1) % max(1, frames // ROWS) == 0:
-            gc.collect()
-            memory_mib.append(resident_mib())
-            print(f"{frame + 1:>9} frames: {memory_mib[-1]:.1f} MiB", flush=True)
-    grown = max(memory_mib[1:], default=memory_mib[0]) - memory_mib[0]
-    print(f"grown by {grown:.1f} MiB after the first tenth; {written / 1e6:.0f} MB of poses written")
+    """Track a mug and a can again and again and print the memory of the service."""
+    played = [load_recording(recordings / f"{name}.npz") for name in RECORDINGS]
+    if not real:
+        played = [replace(each, clouds=[cloud[::EVERY] for cloud in each.clouds]) for each in played]
+    module = ("captra", "serve") if real else ("benchmarks.long_run", SERVE)
+    categories = [each.category.name for each in played]
+    settings = {"CAPTRA_PROVIDER": provider, "CAPTRA_PRELOAD": json.dumps(categories)}
+    memory_mib: list[float] = []
+    with ServiceProcess(settings, module=module) as service, ThreadPoolExecutor(2) as pool:
+        started_s = time.perf_counter()
+        rounds = [passes(each, service.url, frames // ROWS // len(played)) for each in played]
+        for row in range(ROWS):
+            done = sum(pool.map(next, rounds)) * (row + 1)
+            memory_mib.append(resident_mib(service.pid))
+            rate = done / (time.perf_counter() - started_s)
+            print(f"{done:>9} frames: {memory_mib[-1]:.1f} MiB, {rate:.0f} frames a second", flush=True)
+    first = memory_mib[ROWS // 10 - 1]
+    grown = max(memory_mib[ROWS // 10 :]) - first
+    print(f"grown by {grown:.1f} MiB after the first tenth")
     sys.exit(grown > LIMIT_MIB)
 
 
-def resident_mib() -> float:
-    """Memory that this process holds."""
-    pages = int(Path("/proc/self/statm").read_text().split()[1])
-    return pages * os.sysconf("SC_PAGE_SIZE") / 2**20
+def passes(recording: Recording, url: str, frames: int) -> Iterator[int]:
+    """One session for good, which goes on by so many frames whenever it is asked to, from the start again and again."""
+    with open_session(recording.category.name, recording.init, url=url) as session:
+        while True:
+            done = 0
+            while done < frames:
+                for _ in session.track(recording.clouds[: frames - done], timeout_s=PATIENCE_S):
+                    done += 1
+                session.reset(recording.init)
+            yield done
+
+
+def serve_small() -> None:
+    """The service as it is, with another budget under the name of the profile that sessions take."""
+    with mock.patch.object(bundles, "PROFILES", {SMALL.name: SMALL}):
+        run(load_settings(None, {}))
 
 
 if __name__ == "__main__":
-    typer.run(main)
+    if sys.argv[1:] == [SERVE]:
+        serve_small()
+    else:
+        typer.run(main)
