@@ -1,29 +1,28 @@
 """Listens to sessions that others opened and writes each into an MCAP file of its own."""
 
+import json
 import struct
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
-import numpy as np
 import zenoh
 
-from captra.recording.writer import SessionWriter, Shown
-from clients.clouds import ENCODINGS, I16_METRES
+from captra.recording.writer import SessionWriter
+from clients.camera import Camera
+from clients.errors import RequestRefusedError
 from clients.inbox import Inbox
-from clients.regions import PACKED_BOX
-from clients.rest import RestApi, reachable
+from clients.overheard import body_of, camera_in, mask_in, parts_now, shown
+from clients.rest import RestApi
 from clients.results import parse_result
 from clients.stream import connect
 
 NUMBER = struct.Struct("<Qq")
 """Number and stamp begin every attachment."""
-SECRET_BYTES = 16
-PNG_BEGIN, PNG_END = b"\x89PNG\r\n\x1a\n", b"IEND\xae\x42\x60\x82"
-CDR = "application/cdr"
+ALIVE = "alive"
+"""Key of the service's token: there as long as the session is open."""
 KINDS = ("cloud", "pose", "event")
 LOOK_AGAIN_S = 0.5
 
@@ -35,7 +34,7 @@ class Heard:
     session_id: str
     """Whose."""
     kind: str
-    """Which key: `cloud`, `pose` or `event`."""
+    """Which key: `cloud`, `pose`, `event`, or `alive`."""
     encoding: str
     """Media type."""
     payload: bytes
@@ -47,37 +46,40 @@ class Heard:
 class SessionFiles:
     """One file for each session that is heard of."""
 
-    def __init__(self, api: RestApi, folder: Path, tell: Callable[[str], None]) -> None:
-        """`tell` is given a line for people whenever a file begins or ends."""
+    def __init__(
+        self, api: RestApi, folder: Path, tell: Callable[[str], None], under_way: Collection[str] = frozenset()
+    ) -> None:
+        """`tell` is given a line for people whenever a file begins or ends; `under_way` had frames before."""
         self._api = api
         self._folder = folder
         self._tell = tell
+        self._under_way = under_way
         self._writers: dict[str, SessionWriter] = {}
+        self._cameras: dict[str, Camera | None] = {}
         self._ended: set[str] = set()
 
     def take(self, heard: Heard) -> None:
         """Write it down; the last event of a session ends its file."""
         if heard.session_id in self._ended:
             return
-        writer = self._writers.get(heard.session_id) or self.begin(heard.session_id)
-        match heard.kind:
-            case "cloud" if len(heard.attachment) >= NUMBER.size:
-                seq, stamp_ns = NUMBER.unpack(heard.attachment[: NUMBER.size])
-                mask = mask_in(heard.attachment[NUMBER.size :])
-                writer.frame(seq, stamp_ns, heard.encoding, heard.payload, mask, shown(heard.encoding, heard.payload))
-            case "pose":
-                writer.result(heard.payload, parse_result(heard.payload))
-            case "event":
-                writer.event(heard.payload)
-                if b'"kind":"closing"' in heard.payload:
-                    self._end(heard.session_id)
+        try:
+            writer = self._writers.get(heard.session_id) or self.begin(heard.session_id)
+            self._write(writer, heard)
+        except RequestRefusedError:  # it was closed before anybody could ask about it
+            self._end(heard.session_id)
 
     def begin(self, session_id: str) -> SessionWriter:
-        """A file for a session, which begins at the pose that it has now."""
+        """A file for a session: from where it was started, or from where it is now if frames went by before.
+
+        Raises:
+            RequestRefusedError: there is no such session.
+        """
         state = self._api.session(session_id)
+        heard_all = session_id not in self._under_way or state["last_result"]["seq"] is None
         path = self._folder / f"{state['category']}_{session_id}.mcap"
         writer = self._writers[session_id] = SessionWriter(path)
-        writer.session(body_of(state))
+        self._cameras[session_id] = camera_in(state)
+        writer.session(body_of(state, state["started_from"] if heard_all else parts_now(state)))
         self._tell(f"{path}: recording")
         return writer
 
@@ -91,10 +93,29 @@ class SessionFiles:
         for session_id in list(self._writers):
             self._end(session_id)
 
+    def _write(self, writer: SessionWriter, heard: Heard) -> None:
+        match heard.kind:
+            case "cloud" if len(heard.attachment) >= NUMBER.size:
+                seq, stamp_ns = NUMBER.unpack(heard.attachment[: NUMBER.size])
+                mask = mask_in(heard.attachment[NUMBER.size :])
+                seen = shown(heard.encoding, heard.payload, self._cameras[heard.session_id])
+                writer.frame(seq, stamp_ns, heard.encoding, heard.payload, mask, seen)
+            case "pose":
+                writer.result(heard.payload, parse_result(heard.payload))
+            case "event":
+                writer.event(heard.payload)
+                kind = json.loads(heard.payload)["kind"]
+                if kind == "reset":
+                    writer.reset({"parts": self._api.session(heard.session_id)["started_from"]})
+                elif kind == "closing":
+                    self._end(heard.session_id)
+
     def _end(self, session_id: str) -> None:
         self._ended.add(session_id)
-        self._writers.pop(session_id).close()
-        self._tell(f"session {session_id}: complete")
+        writer = self._writers.pop(session_id, None)
+        if writer is not None:
+            writer.close()
+            self._tell(f"session {session_id}: complete")
 
 
 def listen_to(
@@ -114,32 +135,33 @@ def listen_to(
         ServiceUnreachableError: the service, or its Zenoh router, is not reached.
     """
     end_s = None if until_s is None else time.monotonic() + until_s
-    files, inbox = SessionFiles(api, folder, tell), Inbox[Heard](4096)
+    inbox = Inbox[Heard](4096)
+    network = api.network()
     with ExitStack() as resources:
+        session = resources.enter_context(connect(network["endpoints"], api.timeout_s))
+        for name in sessions or ["*"]:
+            subscribe(session, f"{network['sessions']}/{name}", inbox)
+        under_way = [state["session_id"] for state in api.sessions()]
+        files = SessionFiles(api, folder, tell, under_way)
         resources.callback(files.close)
-        states = [api.session(session_id) for session_id in sessions] or wait_for_one(api, end_s)
-        if not states:
-            return
-        endpoints = tuple(reachable(endpoint, api.url) for endpoint in states[0]["zenoh"]["endpoints"])
-        network = resources.enter_context(connect(endpoints, api.timeout_s))
-        stems = [state["zenoh"]["cloud"].removesuffix("/cloud") for state in states]
-        heard_stems = stems if sessions else [stems[0].rpartition("/")[0] + "/*"]
-        for stem in heard_stems:
-            for kind in KINDS:
-                network.declare_subscriber(f"{stem}/{kind}", lambda sample: inbox.put(heard_of(sample)))
-        for state in states:
-            files.begin(state["session_id"])
+        for session_id in sessions or under_way:
+            files.begin(session_id)
         while (end_s is None or time.monotonic() < end_s) and (files.open or not sessions):
             heard = inbox.get(LOOK_AGAIN_S)
             if heard is not None:
                 files.take(heard)
 
 
-def wait_for_one(api: RestApi, end_s: float | None) -> Sequence[Any]:
-    """The open sessions, as soon as there is one."""
-    while not (states := api.sessions()) and (end_s is None or time.monotonic() < end_s):
-        time.sleep(LOOK_AGAIN_S)
-    return states
+def subscribe(session: zenoh.Session, stem: str, inbox: Inbox[Heard]) -> None:
+    """Put into `inbox` whatever comes on the keys of sessions, and which sessions there are."""
+
+    def receive(sample: zenoh.Sample) -> None:
+        if sample.kind == zenoh.SampleKind.PUT:
+            inbox.put(heard_of(sample))
+
+    for kind in KINDS:
+        session.declare_subscriber(f"{stem}/{kind}", receive)
+    session.liveliness().declare_subscriber(f"{stem}/{ALIVE}", receive)
 
 
 def heard_of(sample: zenoh.Sample) -> Heard:
@@ -147,31 +169,3 @@ def heard_of(sample: zenoh.Sample) -> Heard:
     *_, session_id, kind = str(sample.key_expr).split("/")
     attachment = b"" if sample.attachment is None else sample.attachment.to_bytes()
     return Heard(session_id, kind, str(sample.encoding), sample.payload.to_bytes(), attachment)
-
-
-def mask_in(tail: bytes) -> bytes:
-    """The mask or box behind number and stamp, without the session's secret, which must not be recorded."""
-    if tail.startswith(PNG_BEGIN):
-        return tail[: tail.find(PNG_END) + len(PNG_END)]
-    return tail[: PACKED_BOX.size] if len(tail) in {PACKED_BOX.size, PACKED_BOX.size + SECRET_BYTES} else b""
-
-
-def shown(encoding: str, payload: bytes) -> Shown:
-    """What viewers are shown of a cloud; nothing of a depth image, whose camera is not known here."""
-    media_type = encoding.partition(";")[0]
-    if media_type == CDR:
-        return payload
-    if media_type == ENCODINGS["f32"].media_type and len(payload) % 12 == 0:
-        return np.frombuffer(payload, "<f4").reshape(-1, 3)
-    if media_type == ENCODINGS["i16"].media_type and len(payload) % 6 == 0:
-        return np.frombuffer(payload, "<i2").reshape(-1, 3) * I16_METRES
-    return None
-
-
-def body_of(state: Any) -> dict[str, Any]:
-    """The body of a POST that opens a session where this one is now."""
-    parts = [
-        {"rotation": {"quat_xyzw": part["quat_xyzw"]}, "translation": part["translation"], "size": part["size"]}
-        for part in state["last_result"]["parts"]
-    ]
-    return {name: state[name] for name in ("category", "profile", "frame_id")} | {"parts": parts}

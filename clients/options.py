@@ -4,10 +4,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any, Literal
 
+import numpy as np
+from jaxtyping import Float
+
 from clients.camera import Camera
 
 Prediction = Literal["none", "constant-velocity"]
 """Where the next pose is expected: where the last one was, or where its velocity carries it, by the frames' stamps."""
+Axis = Sequence[float] | Float[np.ndarray, "3"]
+"""Of a joint, in the frame of the parent part."""
 MaskValues = Literal["object", "parts"]
 """What the values of masks mean: zero is background, all else the object; or k is part k of the category, from 1."""
 
@@ -52,7 +57,7 @@ class SessionOptions:
     """Where the object is expected in the next frame."""
     smoothing: Smoothing | None = None
     """Filters what is published; tracking itself is not changed."""
-    joint_axes: Mapping[str, Sequence[float]] | None = None
+    joint_axes: Mapping[str, Axis] | None = None
     """Keeps parts on their joints: axis by joint, in the frame of the parent part; others have the category's axes."""
     record: bool | None = None
     """Whether the service records the session."""

@@ -17,6 +17,8 @@ from clients.results import Result, parse_result
 UNSEEN = "no-points-near-object"
 """Why a frame was refused that the tracker has tried nonetheless: it takes part in what the track remembers."""
 
+NO_FRAME = -1
+
 
 @dataclass(frozen=True)
 class RecordedFrame:
@@ -111,19 +113,28 @@ def tracked_alike(body: Mapping[str, Any]) -> dict[str, Any]:
 def answers_in(path: Path) -> dict[int, Answer]:
     """What became of the frames of a file, counted from one.
 
-    Frames that newer ones replaced, or that were refused for another reason, are not in it.
+    Frames that newer ones replaced, or that were refused for another reason, are not in it. A listener may have heard a
+    result before its frame.
     """
     answers: dict[int, Answer] = {}
     frame_by_seq: dict[int, int] = {}
+    early: dict[int, Answer] = {}
     frames = 0
     for name, body in messages(path):
-        if name == FRAME:
+        seq: int = body["seq"] if body.get("seq") is not None else NO_FRAME
+        if name == RESET:
+            early.clear()
+        elif name == FRAME:
             frames += 1
-            frame_by_seq[body["seq"]] = frames
-        elif name == RESULT and body["seq"] in frame_by_seq:
-            answers[frame_by_seq[body["seq"]]] = Answer(body.get("looks"), parse_result(body))
-        elif name == EVENT and body.get("reason") == UNSEEN and body.get("seq") in frame_by_seq:
-            answers[frame_by_seq[body["seq"]]] = Answer(body.get("looks"), None)
+            frame_by_seq[seq] = frames
+            if seq in early:
+                answers[frames] = early.pop(seq)
+        elif name == RESULT or (name == EVENT and body.get("reason") == UNSEEN):
+            answer = Answer(body.get("looks"), parse_result(body) if name == RESULT else None)
+            if seq in frame_by_seq:
+                answers[frame_by_seq[seq]] = answer
+            else:
+                early[seq] = answer
     return answers
 
 

@@ -1,6 +1,7 @@
 """The service's REST calls that a client needs."""
 
 import os
+import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -17,6 +18,7 @@ from clients.regions import PACKED_BOX
 
 DEFAULT_URL = "http://127.0.0.1:8080"
 URL_VARIABLE = "CAPTRA_URL"
+LOOK_AGAIN_S = 0.02
 ANY_ADDRESS = ("0.0.0.0", "[::]")
 
 
@@ -90,6 +92,26 @@ class RestApi:
     def sessions(self) -> Sequence[Mapping[str, Any]]:
         """GET every session, oldest first."""
         return self._call("GET", "/v1/sessions")["sessions"]  # type: ignore[no-any-return]
+
+    def network(self) -> Mapping[str, Any]:
+        """GET where the deployment is reached by Zenoh."""
+        answer = self._call("GET", "/v1/zenoh")
+        return {**answer, "endpoints": tuple(reachable(endpoint, self.url) for endpoint in answer["endpoints"])}
+
+    def wait_for_client(self, session_id: str) -> None:
+        """Wait until the service knows the client of a session, and so what it listens to.
+
+        Raises:
+            ServiceUnreachableError: it does not learn of it within `timeout_s`.
+        """
+        deadline_s = time.monotonic() + self.timeout_s
+        while not self.session(session_id)["client"]:
+            if time.monotonic() > deadline_s:
+                raise ServiceUnreachableError(
+                    f"the service does not hear that this client is there for session {session_id}: a Zenoh router "
+                    "between them lets clouds through and liveliness tokens not"
+                )
+            time.sleep(LOOK_AGAIN_S)
 
     def models(self) -> Sequence[Mapping[str, Any]]:
         """GET what can be tracked, and with what."""

@@ -4,7 +4,7 @@ import atexit
 import json
 import time
 from collections import OrderedDict
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import ExitStack, closing, suppress
 from dataclasses import replace
 from pathlib import Path
@@ -18,7 +18,7 @@ from clients.camera import Camera
 from clients.clouds import get_encoding
 from clients.errors import NoResultError, RequestRefusedError, ServiceUnreachableError, SessionClosedError
 from clients.inbox import Inbox
-from clients.options import MaskValues, Prediction, Ros2, SessionOptions, Smoothing
+from clients.options import Axis, MaskValues, Prediction, Ros2, SessionOptions, Smoothing
 from clients.packing import Frame, Observation, Packer
 from clients.recorder import Recorder, recorder_for
 from clients.regions import Region
@@ -45,7 +45,7 @@ def open_session(
     masks: MaskValues | None = None,
     prediction: Prediction | None = None,
     smoothing: Smoothing | None = None,
-    joint_axes: Mapping[str, Sequence[float]] | None = None,
+    joint_axes: Mapping[str, Axis] | None = None,
     ros2: Ros2 | None = None,
     record: Path | str | Recorder | None = None,
     record_in_service: bool = False,
@@ -123,6 +123,7 @@ class Session:
         resources.callback(self._delete)
         self._stream.open(api.timeout_s)
         resources.callback(self._stream.close)
+        api.wait_for_client(opened.session_id)  # or the first result may go by behind a router that knows nothing yet
         atexit.register(self.close)  # Zenoh keeps an interpreter from ending whose sessions are still open
         resources.callback(atexit.unregister, self.close)
         self._resources = resources.pop_all()

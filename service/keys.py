@@ -34,16 +34,21 @@ class ServiceKeys:
         return f"captra/{self.service}/{ALIVE}"
 
     @property
+    def sessions(self) -> str:
+        """Keys of a session are below this one and its id."""
+        return f"captra/{self.service}/sessions"
+
+    @property
     def clients(self) -> str:
         """Key expression of the tokens of all clients."""
-        return f"captra/{self.service}/sessions/*/{CLIENT}"
+        return f"{self.sessions}/*/{CLIENT}"
 
     @property
     def previews(self) -> str:
-        """Key expression of clouds that no session tracks; the last chunk is a name that the client chooses."""
-        return f"captra/{self.service}/previews/*"
+        """Clouds that no session tracks are put below this key; what follows is a name that the client chooses."""
+        return f"captra/{self.service}/previews"
 
     def session(self, session_id: str) -> SessionKeys:
         """Keys of a session."""
-        root = f"captra/{self.service}/sessions/{session_id}"
+        root = f"{self.sessions}/{session_id}"
         return SessionKeys(*(f"{root}/{leaf}" for leaf in (CLOUD, POSE, EVENT, ALIVE, CLIENT)))

@@ -124,7 +124,7 @@ class ZenohTransport:
                 take(str(sample.key_expr).rpartition("/")[2], envelope_of(sample, time.perf_counter()))
 
         subscription = ExitStack()
-        subscription.enter_context(self._session.declare_subscriber(self._keys.previews, receive))
+        subscription.enter_context(self._session.declare_subscriber(f"{self._keys.previews}/*", receive))
         return subscription
 
     def put(self, key: str, envelope: Envelope) -> None:

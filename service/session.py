@@ -76,6 +76,7 @@ class Session:
         self._store = store
         self._turns = turns
         self._trusted = record.trusted
+        self._started_from = record.trusted.pose
         self._tracker = engine.start(record.trusted.pose, options)
         self._sequence = Sequence(record.trusted.seq)
         self._observers = Observers()
@@ -93,6 +94,11 @@ class Session:
     def category(self) -> Category:
         """What is tracked."""
         return self._category
+
+    @property
+    def started_from(self) -> Pose:
+        """Where the track began, or began again."""
+        return self._started_from
 
     @property
     def last_result(self) -> Result:
@@ -175,6 +181,7 @@ class Session:
             self._check_open()
             self.liveness.touch()
             self._tracker.reset(pose)
+            self._started_from = pose
             self._tape.reset(pose)
             self._sequence.restart()
             self._trust(TrustedPose(pose, None))

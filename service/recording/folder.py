@@ -3,14 +3,14 @@
 import logging
 import re
 import threading
-from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from captra.data.recordings import RecordingError
 from captra.recording.reader import salvage
-from captra.recording.writer import SessionWriter, parts_of
+from captra.recording.writer import SessionWriter
+from service.opening import body_of
 from service.recording.tape import NO_TAPE, McapTape, Tape
 from service.rejections import (
     NotStoredError,
@@ -151,31 +151,3 @@ def recorded(path: Path) -> Recorded:
     finished = path.name.endswith(WHOLE)
     name = path.name.removesuffix(WHOLE if finished else UNFINISHED)
     return Recorded(name, path.stat().st_size, finished)
-
-
-def body_of(record: SessionRecord) -> Mapping[str, Any]:
-    """The body of a POST that opens such a session."""
-    camera, chosen = record.camera, record.options
-    options: dict[str, Any] = {
-        "masks": record.masks,
-        "prediction": chosen.prediction,
-        "smoothing": None if chosen.smoothing is None else asdict(chosen.smoothing),
-        "joint_axes": None if chosen.joint_axes is None else dict(chosen.joint_axes),
-    }
-    if camera is not None:
-        intrinsics = camera.intrinsics
-        options["camera"] = {
-            "fx": intrinsics.fx,
-            "fy": intrinsics.fy,
-            "cx": intrinsics.cx,
-            "cy": intrinsics.cy,
-            "width": camera.width,
-            "height": camera.height,
-            "metres_per_unit": camera.metres_per_unit,
-        }
-    return {
-        "category": record.category,
-        "parts": parts_of(record.trusted.pose),
-        "profile": record.profile,
-        "frame_id": record.frame_id,
-    } | {name: value for name, value in options.items() if value is not None}

@@ -5,7 +5,7 @@ from typing import Any
 from fastapi import FastAPI
 
 import captra
-from service.rest import catalog, documentation, frames, probes, problems, recordings, sessions
+from service.rest import catalog, documentation, frames, network, probes, problems, recordings, sessions
 from service.rest.dependencies import Workers
 from service.rest.guard import Guard
 from service.security.wiring import gate_of
@@ -47,7 +47,7 @@ def create_app(service: TrackingService) -> FastAPI:
     problems.install(app)
     documentation.install(app)
     app.add_middleware(Guard, gate=gate_of(service.settings))
-    for module in (sessions, frames, recordings, catalog, probes):
+    for module in (sessions, frames, recordings, network, catalog, probes):
         app.include_router(module.router)
     app.include_router(socket.router)
     pages.install(app, service.settings.recordings_dir, service.recordings)

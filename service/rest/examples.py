@@ -59,6 +59,19 @@ SESSION: JsonDict = OPENED | {
     "frame_id": "camera_color_optical_frame",
     "idle_timeout_s": 300.0,
     "record": False,
+    "masks": None,
+    "camera": None,
+    "prediction": "constant-velocity",
+    "smoothing": None,
+    "joint_axes": None,
+    "started_from": [
+        {
+            "rotation": {"matrix": [[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]]},
+            "translation": [0.02, -0.05, 0.61],
+            "size": [0.12, 0.09, 0.08],
+        }
+    ],
+    "client": True,
     "created_ns": 1_700_000_000_000_000_000,
     "counters": {
         "received": 9,

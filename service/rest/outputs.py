@@ -6,7 +6,9 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from captra.health import State
 from service.rest.examples import MUG_RESULT, OPENED, SESSION
+from service.rest.inputs import Camera, Part, Smoothing
 from service.rest.vectors import Vector3, Vector4
+from service.track_options import Prediction
 
 
 class PartPose(BaseModel):
@@ -111,6 +113,16 @@ class SessionState(OpenedSession):
     frame_id: str = Field(description="Frame of clouds that name none.")
     idle_timeout_s: float
     record: bool = Field(description="Whether the service records it.")
+    masks: Literal["object", "parts"] | None = Field(description="What masks that come with frames tell.")
+    camera: Camera | None = Field(description="Of depth images.")
+    prediction: Prediction = Field(description="Where the object is expected in the next frame.")
+    smoothing: Smoothing | None = Field(description="Of published poses.")
+    joint_axes: dict[str, Vector3] | None = Field(description="Axes that parts are kept to, by joint.")
+    started_from: list[Part] = Field(description="Where the track began, or began again with the last PUT.")
+    client: bool = Field(
+        description="Whether its client's liveliness token was seen: what the client had subscribed to before is known "
+        "to the service by then, behind however many routers it is."
+    )
     created_ns: int = Field(description="When it was opened, nanoseconds since 1970.")
     counters: Counters
     last_result: Result

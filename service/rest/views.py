@@ -2,6 +2,9 @@
 
 from dataclasses import asdict
 
+from captra.recording.writer import parts_of
+from service.opening import options_of
+from service.rest.inputs import Part
 from service.rest.outputs import Counters, OpenedSession, Result, Ros2Topics, SessionState, StreamKeys
 from service.session import Session
 from service.tracking_service import TrackingService
@@ -27,11 +30,14 @@ def state_of(session: Session, service: TrackingService, host: str) -> SessionSt
     record, ledger = session.record, session.ledger
     return SessionState(
         **opened(session, service, host).model_dump(),
+        **options_of(record),
         profile=record.profile,
         frame_id=record.frame_id,
         idle_timeout_s=record.idle_timeout_s,
         record=record.record,
         created_ns=record.created_ns,
+        client=record.has_client,
+        started_from=[Part.model_validate(part) for part in parts_of(session.started_from)],
         counters=Counters(**asdict(ledger.counts), rejected_by_reason=ledger.rejected_by_reason),
         last_result=Result.model_validate_json(session.last_result.to_json()),
     )
@@ -53,8 +59,12 @@ def ros2_topics(session: Session) -> Ros2Topics | None:
 def stream_keys(session: Session, service: TrackingService, host: str) -> StreamKeys:
     """Where a session is reached by Zenoh."""
     keys = service.transport.keys(session.session_id)
-    endpoints = [reachable(endpoint, host) for endpoint in service.transport.endpoints]
-    return StreamKeys(cloud=keys.cloud, pose=keys.pose, event=keys.event, endpoints=endpoints)
+    return StreamKeys(cloud=keys.cloud, pose=keys.pose, event=keys.event, endpoints=endpoints_for(service, host))
+
+
+def endpoints_for(service: TrackingService, host: str) -> list[str]:
+    """Where a client connects to that reached the service by the name `host`."""
+    return [reachable(endpoint, host) for endpoint in service.transport.endpoints]
 
 
 def reachable(endpoint: str, host: str) -> str:

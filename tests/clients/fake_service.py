@@ -127,8 +127,8 @@ class FakeService:
             case "DELETE", _:
                 self.closed.set()
                 return 204, None
-            case "PUT", _:
-                return 200, {}
+            case (("GET" | "PUT"), session) if session.startswith(f"/v1/sessions/{self.session_id}"):
+                return 200, {"client": self.token_seen.is_set()}
         return 404, {"title": "Not found", "reason": "not-found", "detail": f"there is no {path}"}
 
 

@@ -1,15 +1,23 @@
 """`captra record` hears sessions that others opened, over real sockets."""
 
+import base64
+import json
 import threading
+import time
 from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
 
 import numpy as np
 import pytest
+from mcap.reader import make_reader
 
+from captra.geometry import Pose
 from captra.recording.reader import messages
-from clients.listening import listen_to, mask_in
+from clients import Camera, DepthImage, Smoothing
+from clients.listening import listen_to
+from clients.overheard import mask_in
+from clients.packing import Observation
 from clients.playback import frames
 from clients.record import record
 from clients.regions import PACKED_BOX
@@ -81,6 +89,49 @@ def test_all_sessions_are_recorded_also_those_that_are_opened_later(url: str, tm
     for session, count in ((first, 2), (second, 3)):
         found = [name for name, _ in messages(tmp_path / f"mug_{session.session_id}.mcap")]
         assert found.count("captra.Result") == count
+
+
+def test_a_session_that_is_opened_later_replays_to_the_last_digit(url: str, tmp_path: Path) -> None:
+    recording = drifting_mug()
+    listener = Listener(url, tmp_path, [])
+    time.sleep(1)  # it has nothing to say before there is a session
+    with open_session("mug", recording.init, url=url, prediction="none", smoothing=Smoothing(2.0)) as session:
+        clouds = list(frames(recording))
+        list(session.track(clouds[:5]))
+        session.reset(recording.init)
+        time.sleep(0.5)
+        list(session.track(clouds[5:]))
+    listener.join()
+    path = tmp_path / f"mug_{session.session_id}.mcap"
+    (body,) = [body for name, body in messages(path) if name == "captra.Session"]
+    assert (body["prediction"], body["smoothing"]["cutoff_hz"]) == ("none", 2.0)
+    assert [name for name, _ in messages(path)].count("captra.Reset") == 1
+    pairs = replay(url, path, lambda result: None)
+    assert len(pairs) == FRAMES
+    assert all(pair.identical for pair in pairs)
+
+
+def test_depth_images_are_shown_with_the_camera_of_their_session(url: str, tmp_path: Path) -> None:
+    camera = Camera(fx=60, fy=60, cx=31.5, cy=23.5, width=64, height=48)
+    pixels = np.zeros((48, 64), np.uint16)
+    pixels[20:28, 28:36] = 500
+    pose = Pose.from_size(np.eye(3)[None], np.array([[0.0, 0.0, 0.5]]), np.full((1, 3), 0.1))
+    image = DepthImage(pixels)
+    images: list[Observation] = [image, image.to_png(), DepthImage(pixels.astype(np.float32) / 1000)]
+    with open_session("mug", pose, url=url, camera=camera) as session:
+        listener = Listener(url, tmp_path, [session.session_id])
+        listener.wait_begun()
+        list(session.track(images))
+    listener.join()
+    path, seen = tmp_path / f"mug_{session.session_id}.mcap", []
+    with path.open("rb") as file:
+        for _, _, message in make_reader(file).iter_messages(topics=["/cloud"]):
+            points = np.frombuffer(base64.b64decode(json.loads(message.data)["data"]), "<f4").reshape(-1, 3)
+            seen.append(points)
+    assert [len(points) for points in seen] == [64, 64, 64]
+    for points in seen:
+        np.testing.assert_allclose(points.mean(axis=0), (0, 0, 0.5), atol=1e-6)
+    assert all(pair.identical for pair in replay(url, path, lambda result: None))
 
 
 def test_command_waits_for_a_session(url: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -13,13 +13,14 @@ import numpy as np
 import pytest
 
 from captra.geometry import Pose
-from clients import Session, open_session
+from clients import Camera, Frame, Session, Smoothing, open_session
 from clients.results import Result
 from clients.service_process import free_ports
 from tests.service.support import Running, blob, f32, running, session_body
 from tests.service.test_process import entry, process, stream
 
 GRACE_S = 2.0
+OPTIONS = ("camera", "masks", "prediction", "smoothing", "joint_axes")
 STARTS = [(0.3 * index, 0.0, 0.5) for index in range(3)]
 
 
@@ -89,6 +90,58 @@ def test_killed_service_goes_on_with_every_session_and_its_clients(tmp_path: Pat
             assert result.session_id == session.session_id
             assert result.parts[0].translation[0] == pytest.approx(start[0], abs=0.01)
             assert result.parts[0].translation[1] > 0.05
+
+
+def test_options_that_the_client_asked_for_outlive_a_killed_service(tmp_path: Path) -> None:
+    variables = variables_of(tmp_path)
+    url = f"http://127.0.0.1:{variables['CAPTRA_HTTP_PORT']}"
+    kept = ("profile", "frame_id", "idle_timeout_s", "record", *OPTIONS)
+    with ExitStack() as resources:
+        service = resources.enter_context(process("-m", "tests.service.quick_service", **variables))
+        entry(stream(service.stderr), "ready")
+        session = resources.enter_context(
+            open_session(
+                "mug",
+                pose_at(STARTS[0]),
+                url=url,
+                profile="realtime",
+                frame_id="wrist",
+                idle_timeout_s=77,
+                camera=Camera(60, 61, 31.5, 23.5, 64, 48, metres_per_unit=0.0005),
+                masks="object",
+                prediction="none",
+                smoothing=Smoothing(cutoff_hz=0.25, rotation_gain=3),
+                joint_axes={},
+                record_in_service=True,
+            )
+        )
+        list(session.track([blob()]))
+        before = httpx.get(f"{url}/v1/sessions/{session.session_id}").json()
+        assert {name: before[name] for name in ("frame_id", "idle_timeout_s", "record", *OPTIONS)} == {
+            "frame_id": "wrist", "idle_timeout_s": 77, "record": True,
+            "camera": {
+                "fx": 60, "fy": 61, "cx": 31.5, "cy": 23.5, "width": 64, "height": 48, "metres_per_unit": 0.0005,
+                "distortion": [],
+            },
+            "masks": "object", "prediction": "none", "joint_axes": {},
+            "smoothing": {"cutoff_hz": 0.25, "translation_gain": 10, "rotation_gain": 3},
+        }  # fmt: skip
+        service.kill()  # SIGKILL
+        service.wait()
+        again = resources.enter_context(process("-m", "tests.service.quick_service", **variables))
+        entry(stream(again.stderr), "ready")
+        after = httpx.get(f"{url}/v1/sessions/{session.session_id}").json()
+        assert {name: after[name] for name in kept} == {name: before[name] for name in kept}
+        jitter = [session_result.parts[0].translation[0] for session_result in fed(session)]
+        assert np.ptp(jitter[8:]) < 0.004, "the next process smooths as the first one was asked to"
+
+
+def fed(session: Session) -> list[Result]:
+    """Results of an object that trembles by 8 mm, once the client is connected again."""
+    session.put(blob())
+    next_result(session, 0)
+    trembling = [blob((0.004 * (-1) ** i, 0, 0.5)) for i in range(20)]
+    return list(session.track([Frame(cloud, 33_000_000 * (i + 1)) for i, cloud in enumerate(trembling)]))
 
 
 CLIENT = """
