@@ -4,7 +4,7 @@ import json
 import struct
 import time
 from collections.abc import Callable, Collection, Sequence
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -64,9 +64,11 @@ class SessionFiles:
             return
         try:
             writer = self._writers.get(heard.session_id) or self.begin(heard.session_id)
+        except RequestRefusedError:
+            self._ended.add(heard.session_id)
+            self._tell(f"session {heard.session_id}: not recorded, it was closed again at once")
+        else:
             self._write(writer, heard)
-        except RequestRefusedError:  # it was closed before anybody could ask about it
-            self._end(heard.session_id)
 
     def begin(self, session_id: str) -> SessionWriter:
         """A file for a session: from where it was started, or from where it is now if frames went by before.
@@ -106,16 +108,18 @@ class SessionFiles:
                 writer.event(heard.payload)
                 kind = json.loads(heard.payload)["kind"]
                 if kind == "reset":
-                    writer.reset({"parts": self._api.session(heard.session_id)["started_from"]})
+                    self._reset(writer, heard.session_id)
                 elif kind == "closing":
                     self._end(heard.session_id)
 
+    def _reset(self, writer: SessionWriter, session_id: str) -> None:
+        with suppress(RequestRefusedError):  # it is closed already: no frame follows
+            writer.reset({"parts": self._api.session(session_id)["started_from"]})
+
     def _end(self, session_id: str) -> None:
         self._ended.add(session_id)
-        writer = self._writers.pop(session_id, None)
-        if writer is not None:
-            writer.close()
-            self._tell(f"session {session_id}: complete")
+        self._writers.pop(session_id).close()
+        self._tell(f"session {session_id}: complete")
 
 
 def listen_to(

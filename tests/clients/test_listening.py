@@ -40,12 +40,12 @@ class Listener:
 
     def __init__(self, url: str, folder: Path, sessions: list[str]) -> None:
         self.lines: list[str] = []
-        self._began = threading.Event()
+        self._told = threading.Semaphore(0)
         self._thread = threading.Thread(target=self._run, args=(url, folder, sessions))
         self._thread.start()
 
     def wait_begun(self) -> None:
-        assert self._began.wait(10)
+        assert self._told.acquire(timeout=20), "no file was begun"
 
     def join(self) -> None:
         self._thread.join(20)
@@ -57,7 +57,7 @@ class Listener:
 
     def _tell(self, line: str) -> None:
         self.lines.append(line)
-        self._began.set()
+        self._told.release()
 
 
 def test_one_session_is_recorded_until_it_is_closed(url: str, tmp_path: Path) -> None:
