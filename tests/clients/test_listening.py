@@ -83,6 +83,7 @@ def test_all_sessions_are_recorded_also_those_that_are_opened_later(url: str, tm
         listener = Listener(url, tmp_path, [])
         listener.wait_begun()
         with open_session("mug", recording.init, url=url) as second:
+            listener.wait_begun()
             list(second.track(list(frames(recording))[:3]))
         list(first.track(list(frames(recording))[:2]))
     listener.join()
