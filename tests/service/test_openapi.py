@@ -13,6 +13,7 @@ METHODS = {
     "/v1/sessions/{session_id}": {"get", "delete"},
     "/v1/sessions/{session_id}/pose": {"get", "put"},
     "/v1/sessions/{session_id}/frames": {"post"},
+    "/v1/zenoh": {"get"},
     "/v1/recordings": {"get"},
     "/v1/recordings/{name}": {"get", "delete"},
     "/v1/categories": {"get"},
