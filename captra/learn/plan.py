@@ -30,15 +30,15 @@ class Plan:
 
     samples: int = 60_000
     """Samples that each network sees before the run ends."""
-    batch_size: int = 12
+    batch_size: int = 18
     """Samples a step."""
     learning_rate: float = 1e-3
-    """Of Adam at the start."""
+    """Of Adam and, matched to it, of Muon at the start."""
     halvings: float = 5.0
     """How often the rate has halved at the end, evenly."""
     weight_decay: float = 1e-4
-    """Of Adam."""
-    averaging: float = 0.998
+    """Of what Adam trains; batch norm makes the scale of all other layers meaningless."""
+    averaging: float = 0.997
     """Decay of the moving average of the weights, a step; the average is what is exported."""
     head_start: float = 0.12
     """Share of the samples for which CoordinateNet trains alone; RotationNet then starts from its backbone."""

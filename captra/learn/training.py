@@ -6,17 +6,17 @@ from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any, Generic, Protocol, TypeVar
+from typing import Any, Protocol
 
 import numpy as np
 import torch
 from torch import nn
-from torch.optim.swa_utils import AveragedModel
 
 from captra.categories import Category
 from captra.data.view import View
-from captra.learn.checkpoint import load_coordinate_net, load_rotation_net, save_checkpoint
+from captra.learn.checkpoint import CheckpointError, load_coordinate_net, load_rotation_net, save_checkpoint
 from captra.learn.coordinate_net import CoordinateNet
+from captra.learn.learner import Learner
 from captra.learn.objectives import coordinate_objective, rotation_objective
 from captra.learn.perturbation import PerturbationMix, rotation_fusion_for
 from captra.learn.plan import Plan
@@ -28,25 +28,6 @@ from captra.sampling import NoPointsError
 STATE_FILE = "state.pt"
 LOG_FILE = "log.jsonl"
 PREFETCH = 2
-
-Network = TypeVar("Network", CoordinateNet, RotationNet)
-
-
-Tensors = tuple[torch.Tensor, ...] | list[torch.Tensor]
-
-
-def ramped_average(decay: float) -> Callable[[Tensors, Tensors, torch.Tensor | int], None]:
-    """Exponential moving average whose memory grows with the run, so that it never holds on to untrained weights."""
-
-    def update(averages: Tensors, currents: Tensors, updates: torch.Tensor | int) -> None:
-        keep = min(decay, (1 + int(updates)) / (10 + int(updates)))
-        for average, current in zip(averages, currents, strict=True):
-            if average.is_floating_point():
-                average.lerp_(current, 1 - keep)
-            else:
-                average.copy_(current)
-
-    return update
 
 
 def transplant(source: nn.Module, target: nn.Module) -> None:
@@ -69,48 +50,6 @@ class Views(Protocol):
 
     def refresh(self) -> int:
         """Look for views that were added; returns how many there are."""
-
-
-class Learner(Generic[Network]):
-    """One network with its optimizer and the moving average of its weights."""
-
-    def __init__(self, network: Network, plan: Plan) -> None:
-        self.network: Network = network
-        self.average = AveragedModel(network, multi_avg_fn=ramped_average(plan.averaging), use_buffers=True)
-        self.optimizer = torch.optim.Adam(network.parameters(), lr=plan.learning_rate, weight_decay=plan.weight_decay)
-
-    def step(self, loss: torch.Tensor, learning_rate: float) -> None:
-        """One step of Adam down `loss`."""
-        for group in self.optimizer.param_groups:
-            group["lr"] = learning_rate
-        self.optimizer.zero_grad(set_to_none=True)
-        loss.backward()
-        nn.utils.clip_grad_norm_(self.network.parameters(), 10.0)
-        self.optimizer.step()
-        self.average.update_parameters(self.network)
-
-    @property
-    def averaged(self) -> Network:
-        """The network with averaged weights: what is exported."""
-        return self.average.module  # type: ignore[return-value]
-
-    def restart(self) -> None:
-        """Forget the average: it starts again from the network's weights as they are."""
-        self.averaged.load_state_dict(self.network.state_dict())
-
-    def state_dict(self) -> dict[str, Any]:
-        """All that resuming needs."""
-        return {
-            "network": self.network.state_dict(),
-            "average": self.average.state_dict(),
-            "optimizer": self.optimizer.state_dict(),
-        }
-
-    def load_state_dict(self, state: dict[str, Any]) -> None:
-        """The inverse of `state_dict`."""
-        self.network.load_state_dict(state["network"])
-        self.average.load_state_dict(state["average"])
-        self.optimizer.load_state_dict(state["optimizer"])
 
 
 @dataclass
@@ -203,6 +142,11 @@ class Trainer:
 
     def _resume(self) -> None:
         state = torch.load(self.folder / STATE_FILE, weights_only=True)
+        if "optimizers" not in state["coordinate"]:
+            raise CheckpointError(
+                f"{self.folder / STATE_FILE} is of an earlier version: give the run another name with --run; "
+                f"--start-from {self.folder} takes over its weights from a copy that is called {self.category.name}"
+            )
         self.progress = Progress(**state["progress"])
         self.coordinate.load_state_dict(state["coordinate"])
         self.rotation.load_state_dict(state["rotation"])

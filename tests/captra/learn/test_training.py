@@ -8,10 +8,10 @@ import torch
 
 from captra.categories import get_category
 from captra.data.view import View
-from captra.learn.checkpoint import load_coordinate_net, load_rotation_net, training_info
+from captra.learn.checkpoint import CheckpointError, load_coordinate_net, load_rotation_net, training_info
 from captra.learn.curves import plot_curves
 from captra.learn.plan import Plan, Stage
-from captra.learn.training import LOG_FILE, Progress, Trainer
+from captra.learn.training import LOG_FILE, STATE_FILE, Progress, Trainer
 from captra.sampling import Profile
 from tests.oracle import scene
 
@@ -126,3 +126,12 @@ def test_curves_are_drawn_from_a_long_enough_log(tmp_path: Path) -> None:
     log.write_text(log.read_text() * 5)
     plot_curves(log, tmp_path / "curves.png")
     assert (tmp_path / "curves.png").stat().st_size > 1000
+
+
+def test_the_state_of_an_earlier_version_is_refused_with_a_way_out(tmp_path: Path) -> None:
+    train(tmp_path, stop_after=1)
+    state = torch.load(tmp_path / STATE_FILE, weights_only=True)
+    state["coordinate"]["optimizer"] = state["coordinate"].pop("optimizers")[1]
+    torch.save(state, tmp_path / STATE_FILE)
+    with pytest.raises(CheckpointError, match="--run"):
+        train(tmp_path)
