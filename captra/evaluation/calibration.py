@@ -9,15 +9,15 @@ from jaxtyping import Bool, Float64
 from captra.confidence import FEATURES, UNCALIBRATED, ConfidenceModel
 from captra.evaluation.watching import Watched
 
-RIDGE = 0.3
+RIDGE = 1.0
 """Pull towards the uncalibrated weights, per standard deviation of a feature.
 
 Objects of one category differ more from each other than frames of one object: weights fitted freely to a few objects
 fit the next one worse than those that suit most categories.
 """
 
-LOOSE_RIDGE = 3e-3
-"""Enough for data of which all are right, or all wrong, to have a best fit."""
+PLATT_RIDGE = 0.03
+"""Pull of the last recalibration towards none: it has two parameters only, but few objects tell them."""
 
 NEWTON_STEPS = 30
 
@@ -100,7 +100,7 @@ def _of_the_worst_part(parts: ConfidenceModel, found: Observations) -> Confidenc
     """The model of single parts, recalibrated to speak for all of them at once (Platt scaling of the lowest logit)."""
     lowest = parts.logit(found.features).min(axis=1)
     right = np.asarray(found.correct.all(axis=1), np.float64)
-    bias, slopes = _newton(lowest[:, None], right, np.array([0.0, 1.0]), LOOSE_RIDGE)
+    bias, slopes = _newton(lowest[:, None], right, np.array([0.0, 1.0]), PLATT_RIDGE)
     slope = max(float(slopes[0]), 0.1)
     weights = {name: slope * weight for name, weight in parts.weights.items()}
     return ConfidenceModel(bias + slope * parts.bias, weights)

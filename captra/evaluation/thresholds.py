@@ -1,12 +1,13 @@
 """Chooses the thresholds of doubt and trust by what they would have said of tracks whose truth is known."""
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 from jaxtyping import Float64
 
-from captra.belief import FORGETFUL, Belief
+from captra.belief import FORGETFUL, Belief, logit, sigmoid
 from captra.confidence import ConfidenceModel
 from captra.evaluation.health_figures import DEADLINE, false_alarms, gone, losses
 from captra.evaluation.persistence import confidences
@@ -26,14 +27,24 @@ that of losses untold.
 One good frame in a hundred called lost is as bad as one loss in five untold: both miss what we promise.
 """
 
+USUAL_DOUBT, USUAL_LOGITS, OUTLANDISH_COST = 0.3, 1.5, 0.1
+"""Thresholds that suit most categories, and what each of log odds away from them costs: among those that a few tracks
+do not tell apart, the next track wants the middle ones."""
+
 
 def choose_thresholds(model: ConfidenceModel, watched: Sequence[Watched], belief: Belief = FORGETFUL) -> HealthMonitor:
-    """The monitor of least cost on these tracks; of equal ones, that which doubts least."""
+    """The monitor of least cost on these tracks; of equal ones, the one with the most usual thresholds."""
     told = [confidences(model, one) for one in watched]
-    monitors = [
-        HealthMonitor(model, doubt, _above(doubt, logits), belief=belief) for doubt in DOUBTS for logits in TRUST_LOGITS
-    ]
-    return min(monitors, key=lambda monitor: _cost(_retold(monitor, watched, told)))
+
+    def monitor(doubt: float, logits: float) -> HealthMonitor:
+        return HealthMonitor(model, doubt, sigmoid(logit(doubt) + logits), belief=belief)
+
+    def cost(choice: tuple[float, float]) -> float:
+        doubt, logits = choice
+        outlandish = abs(logit(doubt) - logit(USUAL_DOUBT)) + abs(logits - USUAL_LOGITS)
+        return _cost(_retold(monitor(*choice), watched, told)) + OUTLANDISH_COST * outlandish
+
+    return monitor(*min(itertools.product(DOUBTS, TRUST_LOGITS), key=cost))
 
 
 def states(monitor: HealthMonitor, told: Float64[np.ndarray, " frames"]) -> tuple[State, ...]:
@@ -43,10 +54,6 @@ def states(monitor: HealthMonitor, told: Float64[np.ndarray, " frames"]) -> tupl
         monitor = monitor.updated(confidence) if np.isfinite(confidence) else monitor.missed()
         found.append(monitor.state)
     return tuple(found)
-
-
-def _above(doubt: float, logits: float) -> float:
-    return float(1 / (1 + np.exp(-(np.log(doubt / (1 - doubt)) + logits))))
 
 
 def _retold(

@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 
 from captra.confidence import FEATURES, UNCALIBRATED, ConfidenceModel
-from captra.evaluation.calibration import LOOSE_RIDGE, RIDGE, Observations, auroc, confidences, fit, fit_confidence
+from captra.evaluation.calibration import RIDGE, Observations, auroc, confidences, fit, fit_confidence
 
-TRUTH = ConfidenceModel(2.0, {name: -float(1 + i % 3) for i, name in enumerate(FEATURES)})
+TRUTH = ConfidenceModel(7.0, {name: (1.4 if i % 2 else 0.8) * UNCALIBRATED[name] for i, name in enumerate(FEATURES)})
+LOOSE_RIDGE = 3e-3
 
 
 def made_up(steps: int = 4000, parts: int = 1) -> Observations:
@@ -27,7 +28,7 @@ def test_the_model_that_made_the_data_is_found_again() -> None:
 def test_confidence_is_calibrated_for_all_parts_at_once(parts: int) -> None:
     found = made_up(parts=parts)
     confidence, right = confidences(fit_confidence(found), found), np.asarray(found.correct.all(axis=1))
-    assert confidence.mean() == pytest.approx(right.mean(), abs=0.03)
+    assert confidence.mean() == pytest.approx(right.mean(), abs=0.05)
     sure = confidence > np.median(confidence)
     assert confidence[sure].mean() == pytest.approx(right[sure].mean(), abs=0.05)
 

@@ -2,10 +2,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from captra.belief import logit, sigmoid
 from captra.confidence import FEATURES, UNCALIBRATED, ConfidenceModel
 from captra.evaluation.health_figures import DEADLINE, Share, false_alarms, losses
 from captra.evaluation.persistence import confidences
-from captra.evaluation.thresholds import choose_thresholds, states
+from captra.evaluation.thresholds import USUAL_DOUBT, USUAL_LOGITS, choose_thresholds, states
 from captra.evaluation.watching import Watched
 from captra.health import HealthMonitor, State
 from tests.captra.evaluation.test_health_report import HIDDEN, told
@@ -58,3 +59,9 @@ def test_trust_is_regained_only_by_what_is_not_as_sure_of_wrong_places() -> None
     said = states(monitor, confidences(MODEL, relapse))
     assert State.TRACKING not in said[11:23]
     assert said[-1] is State.TRACKING
+
+
+def test_where_the_tracks_do_not_tell_thresholds_apart_the_usual_ones_are_taken() -> None:
+    clear = track([*[0.99] * 5, *[0.01] * 8, *[0.99] * 5], [*[1] * 5, *[HIDDEN] * 8, *[1] * 5], 6, 14)
+    monitor = choose_thresholds(MODEL, [clear])
+    assert (monitor.doubt_below, monitor.trust_above) == (USUAL_DOUBT, sigmoid(logit(USUAL_DOUBT) + USUAL_LOGITS))
