@@ -51,10 +51,11 @@ image: $(or $(firstword $(wildcard $(VENV)/installed-*)),$(STAMP))
 
 # A few minutes; ARGS="--provider cpu --provider openvino" compares both.
 bench: venv
-	$(BIN)/python -m benchmarks.untrained .bench/models drawers
-	$(BIN)/captra bench --models .bench/models --recording recordings/mug__sweethome3d-KatorLegaz__coffee-mug__hand.npz \
+	mkdir -p .bench
+	$(BIN)/captra bench --recording recordings/mug__sweethome3d-KatorLegaz__coffee-mug__hand.npz \
 		--recording recordings/drawers__sweethome3d-BlendSwap-CC-0__drawersCabinet__hand.npz \
 		--streams 1 --streams 4 --frames 60 --scaling --hop --json .bench/bench.json $(ARGS)
+	$(BIN)/python -m benchmarks.steps
 
 clean:
 	rm -rf $(VENV) .bench build *.egg-info .mypy_cache .pytest_cache .ruff_cache .hypothesis

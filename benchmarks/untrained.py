@@ -1,22 +1,15 @@
-"""A models folder for benchmarks: the bundles that ship, and untrained networks of categories that have none.
+"""Bundles of untrained networks: speed does not depend on weights."""
 
-Speed does not depend on weights. `make bench` calls it:
-
-    .venv/bin/python -m benchmarks.untrained .bench/models drawers
-"""
-
-import sys
 import tempfile
 from dataclasses import replace
 from pathlib import Path
 
-from captra import shipped
 from captra.categories import get_category
 from captra.learn.checkpoint import save_checkpoint
 from captra.learn.coordinate_net import CoordinateNet
 from captra.learn.plan import Plan
 from captra.learn.rotation_net import RotationNet
-from captra.runtime.bundle import Manifest, Training, find_bundles
+from captra.runtime.bundle import Manifest, Training
 from export.bundles import export_bundle
 
 
@@ -34,21 +27,3 @@ def write_untrained(category_name: str, out: Path) -> None:
         for path, network in zip(checkpoints, (coordinate_net, rotation_net), strict=True):
             save_checkpoint(path, network, {"samples": 0})
         export_bundle(*checkpoints, category, "float16", out, describe=untrained)
-
-
-def main(out: Path, categories: list[str]) -> None:
-    """Links to the bundles that ship; the others are written unless they are there."""
-    out.mkdir(parents=True, exist_ok=True)
-    bundles = find_bundles(shipped.MODELS)
-    for name, folder in bundles.items():
-        link = out / name
-        if not link.is_symlink():
-            link.symlink_to(folder.resolve())
-    for name in categories:
-        if name not in bundles and not (out / name).exists():
-            print(f"{name} has no bundle: its networks are untrained, which changes nothing about their speed")
-            write_untrained(name, out / name)
-
-
-if __name__ == "__main__":
-    main(Path(sys.argv[1]), sys.argv[2:])

@@ -69,7 +69,7 @@ def bench(
     if json_out is not None:
         content = {
             "machine": asdict(machine),
-            "runs": [asdict(run) for run in runs],
+            "runs": [asdict(run) | {"peak_share": run.peak_share, "cores_busy": run.cores_busy} for run in runs],
             "scaling": [asdict(step) for step in steps],
             "hops": [asdict(each) for each in hops],
         }

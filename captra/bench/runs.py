@@ -73,6 +73,11 @@ class BenchRun:
     """Of both cores with this provider, measured in the same run."""
 
     @property
+    def cores_busy(self) -> float:
+        """Cores that the service keeps busy: more streams can win no more than what is idle."""
+        return self.cpu_ms_per_frame * self.fps / 1e3
+
+    @property
     def peak_share(self) -> float:
         """What the networks reach of the peak in the median frame; streams side by side share it."""
         return 2e-6 * self.multiply_adds / self.networks.p50 / self.gemm_peak_gflops

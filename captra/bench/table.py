@@ -27,6 +27,7 @@ def runs_table(runs: Sequence[BenchRun], reference_fps: float) -> Table:
             "least share",
             *STAGES,
             "CPU ms",
+            "cores busy",
             "MiB",
             "ready s",
         ),
@@ -42,6 +43,7 @@ def runs_table(runs: Sequence[BenchRun], reference_fps: float) -> Table:
             f"{run.slowest_stream_share:.2f}",
             *(_stage(getattr(run, stage)) for stage in STAGES),
             f"{run.cpu_ms_per_frame:.1f}",
+            f"{run.cores_busy:.2f}",
             f"{run.resident_mib:.0f}",
             f"{run.ready_s:.1f}",
         )

@@ -57,6 +57,7 @@ def test_a_run_is_a_row() -> None:
     rows = table.runs_table([RUN], 12.66)
     assert rows.row_count == 1
     assert "2.00" in cells(rows)  # times the paper's figure
+    assert "1.01" in cells(rows)  # 25.32 frames of 40 ms keep one core busy
 
 
 def test_share_of_the_peak() -> None:
