@@ -25,9 +25,6 @@ CROP_ATTEMPTS = 10
 LANES = 16
 """Distances that the processor compares at a time."""
 
-WORTH_ANOTHER_THREAD = 500_000
-"""Distances from points to centroids from which on waking another thread costs less than it saves."""
-
 
 @dataclass(frozen=True)
 class Profile:
@@ -238,8 +235,6 @@ def part_neighborhoods(
     The clouds are similar to each other: which points are nearest is the same in all, what is within a radius is not.
     """
     parts = len(points_canonical)
-    if parts * profile.points * profile.centroids[0] < WORTH_ANOTHER_THREAD:
-        side_by_side = IN_TURN
 
     def groups_of(clouds: Float32[np.ndarray, "some N 3"]) -> list[_Groups]:
         return [_groups(cloud, profile) for cloud in clouds]
