@@ -10,6 +10,7 @@ import shutil
 import tempfile
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -51,7 +52,7 @@ def main(
     """Print speed and scores of the bundle as it is and quantized."""
     machine, console = this_machine(), Console(width=120)
     console.print(f"{machine.cpu}, {machine.cores} cores, Python {machine.python}, {machine.packages}")
-    columns = ("provider", "networks", "ms in turn, p10 / p50", "5°5cm", "mIoU", "R", "T cm")
+    columns = ("provider", "networks", "ms, p10 / p50", "5°5cm", "mIoU", "R", "T cm")
     result = Table(*columns, title=f"{category}, realtime", title_justify="left")
     with tempfile.TemporaryDirectory() as folder:
         quantized = Path(folder, category)
@@ -175,15 +176,12 @@ def with_float_weights(model: onnx.ModelProto) -> onnx.ModelProto:
 
 
 def speed(networks: OnnxNetworks, example: Seen, repetitions: int) -> str:
-    """Both networks, one after the other on the threads that each has."""
+    """Both networks, side by side as a frame has them."""
     clouds, neighborhoods = example
     root = networks.category.root
-
-    def both() -> None:
-        networks.coordinates(clouds[root], neighborhoods[root])
-        networks.rotations(clouds, neighborhoods)
-
-    return timed(both, repetitions)
+    coordinates = partial(networks.coordinates, clouds[root], neighborhoods[root])
+    rotations = partial(networks.rotations, clouds, neighborhoods)
+    return timed(partial(networks.side_by_side, coordinates, rotations), repetitions)
 
 
 def scores(bundle: Path, provider: str, recordings: Path) -> tuple[str, ...]:
