@@ -40,22 +40,20 @@ class Persistence:
     """A hidden Markov model of two states, right and wrong.
 
     What a frame alone tells is a probability among `usual` ones, so its odds over the usual odds are the likelihood
-    ratio. Frames in a row resemble each other: each counts as `weight` of an independent one.
+    ratio.
     """
 
-    stays: float = 0.97
+    usual: float = 0.65
+    """Share of right frames among those that the confidence was fitted to."""
+    stays: float = 0.95
     """Probability that a right track is right in the next frame."""
     returns: float = 0.1
     """Probability that a wrong one is."""
-    weight: float = 0.6
-    """How much of what a frame tells is news."""
-    usual: float = 0.65
-    """Share of right frames among those that the confidence was fitted to."""
 
     def updated(self, before: float, told: float) -> float:
         """The posterior."""
         prior = self.stays * before + self.returns * (1 - before)
-        return sigmoid(logit(prior) + self.weight * (logit(told) - logit(self.usual)))
+        return sigmoid(logit(prior) + logit(told) - logit(self.usual))
 
     @property
     def calibration(self) -> dict[str, float]:

@@ -16,7 +16,7 @@ Objects of one category differ more from each other than frames of one object: w
 fit the next one worse than those that suit most categories.
 """
 
-PLATT_RIDGE = 0.03
+PLATT_RIDGE = 0.3
 """Pull of the last recalibration towards none: it has two parameters only, but few objects tell them."""
 
 NEWTON_STEPS = 30

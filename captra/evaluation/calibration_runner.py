@@ -2,10 +2,12 @@
 
 from collections.abc import Sequence
 
+import numpy as np
+
+from captra.belief import Persistence
 from captra.evaluation.calibration import Observations, fit_confidence, observations
 from captra.evaluation.incident_runner import Rehearsal, watch_all
 from captra.evaluation.incidents import BRIEF, INCIDENTS
-from captra.evaluation.persistence import fit_persistence
 from captra.evaluation.runner import NetworksSource
 from captra.evaluation.sequences import SequenceSource
 from captra.evaluation.thresholds import choose_thresholds
@@ -14,6 +16,9 @@ from captra.evaluation.workers import Workers
 from captra.health import HealthMonitor
 
 FAULTS = tuple(kind for kind in INCIDENTS if kind != "nothing")
+LEAST_USUAL = 0.05
+"""Share of right frames, and of wrong ones, that a track may expect though a few sequences showed none."""
+
 FAULTS_SEARCHED = 3
 """Incidents of each sequence that are watched with a search: four sequences see every kind at least once."""
 
@@ -35,9 +40,10 @@ def calibrated(
 
 
 def monitor_of(watched: Sequence[Watched]) -> HealthMonitor:
-    """The monitor that fits these tracks: first what single frames tell, then what the past adds, then thresholds."""
-    model = fit_confidence(observations(watched))
-    return choose_thresholds(model, watched, fit_persistence(model, watched))
+    """The monitor that fits these tracks: what single frames tell, then thresholds on what is believed of them."""
+    found = observations(watched)
+    usual = float(np.clip(found.correct.all(axis=1).mean(), LEAST_USUAL, 1 - LEAST_USUAL))
+    return choose_thresholds(fit_confidence(found), watched, Persistence(usual))
 
 
 def faults(index: int) -> tuple[str, ...]:

@@ -10,7 +10,6 @@ from jaxtyping import Float64
 from captra.belief import FORGETFUL, Belief, logit, sigmoid
 from captra.confidence import ConfidenceModel
 from captra.evaluation.health_figures import DEADLINE, false_alarms, gone, losses
-from captra.evaluation.persistence import confidences
 from captra.evaluation.watching import Watched
 from captra.health import HealthMonitor, State
 
@@ -27,7 +26,7 @@ that of losses untold.
 One good frame in a hundred called lost is as bad as one loss in five untold: both miss what we promise.
 """
 
-USUAL_DOUBT, USUAL_LOGITS, OUTLANDISH_COST = 0.3, 1.5, 0.1
+USUAL_DOUBT, USUAL_LOGITS, OUTLANDISH_COST = 0.2, 1.5, 0.1
 """Thresholds that suit most categories, and what each of log odds away from them costs: among those that a few tracks
 do not tell apart, the next track wants the middle ones."""
 
@@ -45,6 +44,11 @@ def choose_thresholds(model: ConfidenceModel, watched: Sequence[Watched], belief
         return _cost(_retold(monitor(*choice), watched, told)) + OUTLANDISH_COST * outlandish
 
     return monitor(*min(itertools.product(DOUBTS, TRUST_LOGITS), key=cost))
+
+
+def confidences(model: ConfidenceModel, one: Watched) -> Float64[np.ndarray, " frames"]:
+    """What a model says of each frame by itself: of its worst part, and NaN where there was nothing to look at."""
+    return np.asarray(1 / (1 + np.exp(-model.logit(one.features).min(axis=1))))
 
 
 def states(monitor: HealthMonitor, told: Float64[np.ndarray, " frames"]) -> tuple[State, ...]:

@@ -28,30 +28,29 @@ def test_belief_rises_with_what_was_believed_and_with_what_is_told(before: float
 
 
 def test_a_frame_that_tells_nothing_new_leaves_the_odds_to_time() -> None:
-    belief = Persistence(stays=0.9, returns=0.2, usual=0.7)
+    belief = Persistence(usual=0.7, stays=0.9, returns=0.2)
     assert belief.updated(0.5, 0.7) == pytest.approx(0.55)
     assert after(belief, 1.0, *[0.7] * 200) == pytest.approx(0.2 / 0.3)
 
 
 def test_middling_frames_neither_end_a_track_at_once_nor_bring_one_back() -> None:
     belief = Persistence()
-    assert after(belief, 1.0, *[0.5] * 5) > 0.6
-    assert after(belief, 0.0, *[0.5] * 5) < 0.3
+    assert after(belief, 1.0, *[0.5] * 3) > 0.6
+    assert after(belief, 0.0, *[0.5] * 3) < 0.3
 
 
 def test_bad_frames_end_a_track_and_good_ones_bring_it_back_within_a_few() -> None:
     belief = Persistence()
-    assert after(belief, 1.0, 1e-3) < 0.5
-    assert after(belief, 1.0, 1e-3, 1e-3) < 0.1
+    assert after(belief, 1.0, 0.01) < 0.2
     assert after(belief, 0.0, 0.97) < after(belief, 0.0, 0.97, 0.97)
-    assert after(belief, 0.0, *[0.97] * 4) > 0.9
+    assert after(belief, 0.0, *[0.97] * 3) > 0.9
 
 
 def test_a_frame_that_is_certain_is_not_the_last_word() -> None:
     assert after(Persistence(), 1.0, 0.0, *[1.0] * 3) > 0.9
 
 
-@pytest.mark.parametrize("belief", [FORGETFUL, Persistence(0.9, 0.2, 0.4, 0.5)])
+@pytest.mark.parametrize("belief", [FORGETFUL, Persistence(0.5, 0.9, 0.2)])
 def test_a_manifest_gives_the_belief_back(belief: Persistence) -> None:
     assert belief_of(belief.calibration) == belief
 

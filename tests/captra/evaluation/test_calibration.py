@@ -28,7 +28,7 @@ def test_the_model_that_made_the_data_is_found_again() -> None:
 def test_confidence_is_calibrated_for_all_parts_at_once(parts: int) -> None:
     found = made_up(parts=parts)
     confidence, right = confidences(fit_confidence(found), found), np.asarray(found.correct.all(axis=1))
-    assert confidence.mean() == pytest.approx(right.mean(), abs=0.05)
+    assert confidence.mean() == pytest.approx(right.mean(), abs=0.1)
     sure = confidence > np.median(confidence)
     assert confidence[sure].mean() == pytest.approx(right[sure].mean(), abs=0.05)
 

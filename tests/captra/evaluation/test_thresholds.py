@@ -5,8 +5,7 @@ import numpy as np
 from captra.belief import logit, sigmoid
 from captra.confidence import FEATURES, UNCALIBRATED, ConfidenceModel
 from captra.evaluation.health_figures import DEADLINE, Share, false_alarms, losses
-from captra.evaluation.persistence import confidences
-from captra.evaluation.thresholds import USUAL_DOUBT, USUAL_LOGITS, choose_thresholds, states
+from captra.evaluation.thresholds import USUAL_DOUBT, USUAL_LOGITS, choose_thresholds, confidences, states
 from captra.evaluation.watching import Watched
 from captra.health import HealthMonitor, State
 from tests.captra.evaluation.test_health_report import HIDDEN, told
