@@ -30,7 +30,7 @@ def test_confidence_is_calibrated_for_all_parts_at_once(parts: int) -> None:
     confidence, right = confidences(fit_confidence(found), found), np.asarray(found.correct.all(axis=1))
     assert confidence.mean() == pytest.approx(right.mean(), abs=0.1)
     sure = confidence > np.median(confidence)
-    assert confidence[sure].mean() == pytest.approx(right[sure].mean(), abs=0.05)
+    assert confidence[sure].mean() == pytest.approx(right[sure].mean(), abs=0.1)
 
 
 def test_a_fit_to_few_objects_stays_near_what_suits_most_categories() -> None:
