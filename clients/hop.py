@@ -62,7 +62,8 @@ def _config(mode: str, connect: str | None = None, listen: str | None = None) ->
     config = zenoh.Config()
     config.insert_json5("mode", json.dumps(mode))
     config.insert_json5("scouting/multicast/enabled", "false")
-    config.insert_json5("transport/shared_memory/enabled", "false")  # as the service has it
+    if mode == "router":  # as the service has it
+        config.insert_json5("transport/shared_memory/enabled", "false")
     config.insert_json5("connect/endpoints", json.dumps([connect] if connect else []))
     config.insert_json5("listen/endpoints", json.dumps([listen] if listen else []))
     return config
