@@ -18,7 +18,7 @@ from clients.service_process import ServiceProcess
 ROOT = Path(__file__).resolve().parents[1]
 PLAYED = "mug__sweethome3d-KatorLegaz__coffee-mug__hand"
 BESIDE = ("can__osrf_gazebo__coke_can__table", "scissors__sweethome3d-BlendSwap-CC-0__cissors_swap__hand")
-PLACED = "camera__sweethome3d-Scopia__reflex_camera__table"
+PLACED = "can__osrf_gazebo__coke_can__table"
 FRAMES = 20
 SETTLED_MS = 1500
 
@@ -55,6 +55,8 @@ def take_placing(page: Page, out: Path) -> None:
     """The first pose of another recording, with the handles that move it."""
     page.click(f'[data-recording="{PLACED}"]')
     page.wait_for_selector("#confirm")
+    page.keyboard.press("f")
+    page.mouse.move(0, 0)
     page.wait_for_timeout(SETTLED_MS)
     page.screenshot(path=out)
 

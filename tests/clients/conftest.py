@@ -7,6 +7,20 @@ import pytest
 from captra.geometry import Pose
 from tests.clients.fake_service import FakeService
 from tests.made_up import write_bundle
+from tests.service.support import Running, running
+
+
+@pytest.fixture(scope="module")
+def service() -> Iterator[Running]:
+    """A real service of one rigid and one articulated category, for all tests of a file."""
+    with running("mug", "laptop_articulated") as started:
+        assert started.service.readiness.wait_prepared(120)
+        yield started
+
+
+@pytest.fixture(scope="module")
+def url(service: Running) -> str:
+    return str(service.http.base_url)
 
 
 @pytest.fixture

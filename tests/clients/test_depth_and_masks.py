@@ -1,6 +1,6 @@
 """Depth images, messages of ROS 2, masks and boxes from the client to the service itself, by both ways."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -24,25 +24,12 @@ from clients.packing import Observation
 from clients.regions import Region
 from clients.replay import replay
 from clients.results import Result
-from tests.service.support import Running, running
 
 WIDTH, HEIGHT = 64, 48
 CAMERA = Camera(fx=60, fy=60, cx=31.5, cy=23.5, width=WIDTH, height=HEIGHT)
 CENTRE = (0.0, 0.0, 0.5)
 
 Send = Callable[[Session, Observation, Region | None], Result]
-
-
-@pytest.fixture(scope="module")
-def service() -> Iterator[Running]:
-    with running("mug", "laptop_articulated") as started:
-        assert started.service.readiness.wait_prepared(120)
-        yield started
-
-
-@pytest.fixture(scope="module")
-def url(service: Running) -> str:
-    return str(service.http.base_url)
 
 
 def by_zenoh(session: Session, observation: Observation, mask: Region | None) -> Result:

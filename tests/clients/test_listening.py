@@ -4,7 +4,6 @@ import base64
 import json
 import threading
 import time
-from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
 
@@ -25,14 +24,6 @@ from clients.replay import replay
 from clients.rest import RestApi
 from clients.session import open_session
 from tests.clients.sequences import FRAMES, drifting_mug
-from tests.service.support import running
-
-
-@pytest.fixture(scope="module")
-def url() -> Iterator[str]:
-    with running("mug") as started:
-        assert started.service.readiness.wait_prepared(60)
-        yield str(started.http.base_url)
 
 
 class Listener:

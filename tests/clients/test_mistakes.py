@@ -1,6 +1,6 @@
 """Typical mistakes of a program that uses the client, made against a running service: each says what to do next."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -25,18 +25,6 @@ from tests.service.support import Running, blob, free_endpoint, running
 UNTURNED = np.eye(3)[None]
 CENTRE = np.array([[0.0, 0.0, 0.5]])
 SIZE = np.full((1, 3), 0.1)
-
-
-@pytest.fixture(scope="module")
-def service() -> Iterator[Running]:
-    with running("mug", "laptop_articulated") as started:
-        assert started.service.readiness.wait_prepared(120)
-        yield started
-
-
-@pytest.fixture(scope="module")
-def url(service: Running) -> str:
-    return str(service.http.base_url)
 
 
 def pose(rotation: np.ndarray = UNTURNED, translation: np.ndarray = CENTRE, size: np.ndarray = SIZE) -> Pose:

@@ -2,7 +2,6 @@
 
 import base64
 import json
-from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -19,14 +18,6 @@ from clients.playback import frames
 from clients.replay import replay
 from clients.session import open_session
 from tests.clients.sequences import DRIFT_M, FRAMES, drifting_mug, saved
-from tests.service.support import running
-
-
-@pytest.fixture(scope="module")
-def url() -> Iterator[str]:
-    with running("mug") as started:
-        assert started.service.readiness.wait_prepared(30)
-        yield str(started.http.base_url)
 
 
 @pytest.fixture
