@@ -12,8 +12,11 @@ from tests.service.support import Running, running
 
 @pytest.fixture(scope="module")
 def service() -> Iterator[Running]:
-    """A real service of one rigid and one articulated category, for all tests of a file."""
-    with running("mug", "laptop_articulated") as started:
+    """A real service of one rigid and one articulated category, for all tests of a file.
+
+    It never searches: no confidence trusts what these tests make up, and a search would hold the last trusted pose.
+    """
+    with running("mug", "laptop_articulated", search_budget_ms=0) as started:
         assert started.service.readiness.wait_prepared(120)
         yield started
 
