@@ -60,7 +60,8 @@ class SessionFiles:
 
     def take(self, heard: Heard) -> None:
         """Write it down; the last event of a session ends its file."""
-        if heard.session_id in self._ended:
+        known = heard.session_id in self._writers
+        if heard.session_id in self._ended or (heard.kind == "event" and not known):  # the end of one that was before
             return
         try:
             writer = self._writers.get(heard.session_id) or self.begin(heard.session_id)
