@@ -119,7 +119,8 @@ def health(
     report = HealthReport(found, by_kind(everything), measured)
     for table in health_report.tables(report):
         console.print(table)
-    console.print(f"{processor_minutes():.1f} minutes of processor time for {len(names)} categories")
+    minutes = processor_minutes()
+    console.print(f"{minutes:.1f} minutes of processor time, {minutes / len(names):.1f} a category")
     if json_out is not None:
         json_out.write_text(json.dumps(health_report.as_json(report), indent=1, allow_nan=False) + "\n")
     if markdown_out is not None:
