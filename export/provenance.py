@@ -12,7 +12,7 @@ from captra.sampling import InputSampling
 AUTHORS_DATA = "the authors' released checkpoints: synthetic data of the paper (NOCS-CAMERA, SAPIEN)"
 OWN_DATA = "procedural shapes in simulated scenes, seen by a simulated depth camera"
 BATCH_SIZE = 12
-"""Samples a step, where a checkpoint counts samples only."""
+"""Samples a step of checkpoints that do not say."""
 
 
 def training_of(coordinate: Path, rotation: Path) -> Training:
@@ -63,7 +63,7 @@ def rotation_share_of(rotation: Path) -> float:
 def _steps(info: dict[str, Any]) -> int:
     if "steps" in info:
         return int(info["steps"])
-    return int(info.get("iteration", int(info.get("samples", 0)) // BATCH_SIZE))
+    return int(info.get("iteration", int(info.get("samples", 0)) // int(info.get("batch_size", BATCH_SIZE))))
 
 
 def _without(info: dict[str, Any], *names: str) -> dict[str, Any]:

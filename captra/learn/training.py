@@ -131,6 +131,7 @@ class Trainer:
         temporary.replace(self.folder / STATE_FILE)
         training = {
             "samples": self.progress.samples,
+            "batch_size": self.plan.batch_size,
             "seed": self.plan.seed,
             "views": len(self.views),
             "input_sampling": asdict(self.plan.density),

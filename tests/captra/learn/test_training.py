@@ -70,7 +70,8 @@ def test_both_networks_train_and_leave_checkpoints(tmp_path: Path, name: str) ->
     category = get_category(name)
     assert not load_coordinate_net(tmp_path / "coordinate.pt", category).training
     assert not load_rotation_net(tmp_path / "rotation.pt", category).training
-    assert training_info(tmp_path / "coordinate.pt")["samples"] == 24
+    info = training_info(tmp_path / "coordinate.pt")
+    assert (info["samples"], info["batch_size"]) == (24, 4)
 
 
 def test_an_interrupted_run_goes_on_where_it_stopped(tmp_path: Path) -> None:
