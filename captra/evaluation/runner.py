@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Protocol
 
 from captra.evaluation.followers.follower import Follower, Track
-from captra.evaluation.followers.served import Served
+from captra.evaluation.followers.served import ONE_LOOK, Served
 from captra.evaluation.response import Response, response
 from captra.evaluation.scoring import SequenceScore, score
 from captra.evaluation.sequences import SequenceSource
@@ -65,8 +65,9 @@ def evaluate(
 
 
 def mean_over(name: str, networks: NetworksSource, sources: Iterable[SequenceSource], workers: Workers) -> Summary:
-    """Means over all sequences, as served, under a name."""
-    return average(name, [summarize(outcome.score) for outcome in evaluate(networks, sources, workers)])
+    """Means over all sequences under a name, without a search: what the networks do by themselves."""
+    outcomes = evaluate(networks, sources, workers, ONE_LOOK)
+    return average(name, [summarize(outcome.score) for outcome in outcomes])
 
 
 def follow_and_score(networks: NetworksSource, follower: Follower, source: SequenceSource) -> Outcome:

@@ -33,7 +33,9 @@ def train(
     ] = None,
     learning_rate: Annotated[
         float | None,
-        typer.Option(help="Of Adam at the start; by default 1e-3, or 4e-4 from weights of the same category."),
+        typer.Option(
+            help="Of both optimizers at the start; by default 1e-3, or 4e-4 from weights of the same category."
+        ),
     ] = None,
     threads: Annotated[int, typer.Option(help="CPU threads.")] = 1,
     seed: Annotated[int, typer.Option(help="Of weights, views and perturbations.")] = 1,

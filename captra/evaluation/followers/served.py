@@ -8,20 +8,25 @@ import numpy as np
 from captra.evaluation.followers.follower import Track, follow
 from captra.evaluation.sequences import Sequence
 from captra.geometry import Pose
-from captra.health import State
+from captra.health import HealthMonitor, State
 from captra.looking import Networks
 from captra.motion import STANDING_STILL, MotionModel
 from captra.perturbation import perturb
+from captra.recovery import NO_SEARCH, LookBudget, SearchBudget
+from captra.runtime.onnx_networks import OnnxNetworks
 from captra.size_memory import GIVEN_WEIGHT_FRAMES
 from captra.tracker import Tracker, TrackerOptions
 
 ENDLESS_FRAMES = 1e9
 """A given size that is worth so many frames never changes."""
 
+AS_SEARCHED = LookBudget(4)
+"""What the time that the service searches by default is worth on two cores, on any machine."""
+
 
 @dataclass(frozen=True)
 class Served:
-    """The tracker with its memory of the size, its fusion of rotations and its refusal of leaps."""
+    """The tracker as the service runs it: calibrated, and looking around while the track does not hold."""
 
     label: str = "captra"
     """As tables name it."""
@@ -33,14 +38,16 @@ class Served:
     """Frames that the size of the given pose is worth."""
     motion: MotionModel = STANDING_STILL
     """Where the next pose is expected."""
+    search: SearchBudget = AS_SEARCHED
+    """Looks a frame while the track does not hold."""
 
     def __call__(self, networks: Networks, sequence: Sequence) -> Track:
         """Follow the object; the noise is the same in every run."""
         recording = sequence.recording
         rng = np.random.default_rng(zlib.crc32(recording.name.encode()))
         start = _disturbed(recording.init, networks, rng, self.start_noise)
-        options = TrackerOptions(motion=self.motion, given_weight_frames=self.given_weight_frames)
-        tracker = Tracker(networks, start, options=options)
+        options = TrackerOptions(motion=self.motion, search=self.search, given_weight_frames=self.given_weight_frames)
+        tracker = Tracker(networks, start, _health_of(networks), options)
         states: list[State] = [State.TRACKING]
 
         def step(cloud: np.ndarray, frame: int, last: Pose) -> Pose:
@@ -52,6 +59,11 @@ class Served:
             return result.pose
 
         return Track(follow(sequence, start, step), tuple(states[1:]))
+
+
+def _health_of(networks: Networks) -> HealthMonitor:
+    """As the bundle says; uncalibrated for networks that come from elsewhere."""
+    return HealthMonitor.calibrated(networks.manifest.health if isinstance(networks, OnnxNetworks) else {})
 
 
 def _disturbed(pose: Pose, networks: Networks, rng: np.random.Generator, noise: float) -> Pose:
@@ -68,3 +80,6 @@ ROBUSTNESS = (
 
 FIXED_SCALE = Served("scale fixed at its start", given_weight_frames=ENDLESS_FRAMES)
 """What becomes of a track whose size is taken for known."""
+
+ONE_LOOK = Served("one look a frame", search=NO_SEARCH)
+"""What the networks do by themselves, whatever the confidence thinks of it."""

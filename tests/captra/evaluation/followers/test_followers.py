@@ -5,7 +5,7 @@ import pytest
 
 from captra.evaluation.followers.icp import OracleIcp
 from captra.evaluation.followers.ransac import CoordinatesWithRansac
-from captra.evaluation.followers.served import FIXED_SCALE, ROBUSTNESS, Served
+from captra.evaluation.followers.served import FIXED_SCALE, ONE_LOOK, ROBUSTNESS, Served
 from captra.evaluation.model_points import from_shape
 from captra.evaluation.scoring import score
 from captra.evaluation.sequences import Sequence
@@ -50,6 +50,25 @@ def test_twice_the_noise_starts_twice_as_far_away() -> None:
         for follower in ROBUSTNESS[:2]
     )
     np.testing.assert_allclose(twice, 2 * once)
+
+
+def test_a_track_that_does_not_hold_is_searched_for_as_the_service_does() -> None:
+    sequence, networks = still("camera", frames=12)
+    looks: list[int] = []
+
+    class Nonsense(OracleNetworks):
+        def coordinates(self, points_canonical, neighborhoods):  # type: ignore[no-untyped-def]
+            looks.append(1)
+            segmentation, coordinates = super().coordinates(points_canonical, neighborhoods)
+            return segmentation, np.flip(coordinates, axis=1).copy()
+
+    counts = []
+    for follower in (ONE_LOOK, Served()):
+        looks.clear()
+        follower(Nonsense(networks.category, networks.truth, networks.last), sequence)
+        counts.append(len(looks))
+    assert counts[0] == 11
+    assert counts[1] > 11
 
 
 def test_a_fixed_scale_stays_what_it_was() -> None:
