@@ -90,12 +90,12 @@ def test_categories_that_others_start_from_come_first(folders: Folders) -> None:
 
 def test_the_real_steps_lead_from_nothing_to_a_bundle(folders: Folders) -> None:
     """Far too little training to be of use, but every step is the one that a campaign takes."""
-    steps = LocalSteps(folders, samples=24, views=8, sequences=1, frames=3)
+    steps = LocalSteps(folders, samples=36, views=8, sequences=1, frames=3)
     steps.make_views("can")
-    steps.train("can", 12)
+    steps.train("can", 18)
     first = torch.load(folders.run("can") / "state.pt", weights_only=True)["progress"]["samples"]
-    steps.train("can", 24)
-    assert (first, torch.load(folders.run("can") / "state.pt", weights_only=True)["progress"]["samples"]) == (12, 24)
+    steps.train("can", 36)
+    assert (first, torch.load(folders.run("can") / "state.pt", weights_only=True)["progress"]["samples"]) == (18, 36)
     steps.export("can")
     assert 0 <= steps.validate(folders.candidate("can")) <= 100
     assert all("procedural-9" not in path.name for path in folders.sequences.rglob("*.npz")), "no test seed is drawn"
