@@ -6,8 +6,8 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from captra.health import State
 from service.rest.examples import MUG_RESULT, OPENED, SESSION
-from service.rest.inputs import Camera, Part, Smoothing
-from service.rest.vectors import Vector3, Vector4
+from service.rest.inputs import Camera, Smoothing
+from service.rest.vectors import Matrix3, Vector3, Vector4
 from service.track_options import Prediction
 
 
@@ -104,6 +104,20 @@ class Counters(BaseModel):
     rejected_by_reason: dict[str, int] = Field(description="Refused, by reason.")
 
 
+class GivenRotation(BaseModel):
+    """R_camera_part of a pose that was given, whatever form it came in."""
+
+    matrix: Matrix3 = Field(description="Rows of the rotation matrix; its columns are the part's axes.")
+
+
+class GivenPart(BaseModel):
+    """The box of one part as it was given: the body of a POST or PUT may hold it as it is."""
+
+    rotation: GivenRotation = Field(description="From the part's axes to the frame of the cloud.")
+    translation: Vector3 = Field(description="Centre of the box, metres.")
+    size: Vector3 = Field(description="Extent of the box along the part's own axes, metres.")
+
+
 class SessionState(OpenedSession):
     """A session as it is now."""
 
@@ -118,7 +132,7 @@ class SessionState(OpenedSession):
     prediction: Prediction = Field(description="Where the object is expected in the next frame.")
     smoothing: Smoothing | None = Field(description="Of published poses.")
     joint_axes: dict[str, Vector3] | None = Field(description="Axes that parts are kept to, by joint.")
-    started_from: list[Part] = Field(description="Where the track began, or began again with the last PUT.")
+    started_from: list[GivenPart] = Field(description="Where the track began, or began again with the last PUT.")
     client: bool = Field(
         description="Whether its client's liveliness token was seen: what the client had subscribed to before is known "
         "to the service by then, behind however many routers it is."

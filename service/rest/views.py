@@ -4,8 +4,7 @@ from dataclasses import asdict
 
 from captra.recording.writer import parts_of
 from service.opening import options_of
-from service.rest.inputs import Part
-from service.rest.outputs import Counters, OpenedSession, Result, Ros2Topics, SessionState, StreamKeys
+from service.rest.outputs import Counters, GivenPart, OpenedSession, Result, Ros2Topics, SessionState, StreamKeys
 from service.session import Session
 from service.tracking_service import TrackingService
 
@@ -37,7 +36,7 @@ def state_of(session: Session, service: TrackingService, host: str) -> SessionSt
         record=record.record,
         created_ns=record.created_ns,
         client=record.has_client,
-        started_from=[Part.model_validate(part) for part in parts_of(session.started_from)],
+        started_from=[GivenPart.model_validate(part) for part in parts_of(session.started_from)],
         counters=Counters(**asdict(ledger.counts), rejected_by_reason=ledger.rejected_by_reason),
         last_result=Result.model_validate_json(session.last_result.to_json()),
     )

@@ -19,6 +19,7 @@ NOTHING_TO_SEND = {
     "/v1/categories",
     "/v1/models",
     "/v1/recordings",
+    "/v1/zenoh",
     "/v1/health/live",
     "/v1/health/ready",
     "/metrics",
