@@ -159,9 +159,14 @@ class Tracker:
         return sightings
 
     def _choose(self, sightings: Sequence[Sighting]) -> Sighting:
-        """The best one, wherever it looked, with the time that all of them took."""
-        confidence_of = self._health.confidence_of
-        best = max(sightings, key=lambda sighting: confidence_of(sighting.evidence.without_jumps()))
+        """The best one if it convinces, else the first, which goes on from the last pose; with the time of all of them.
+
+        Among poses that nobody would trust the best is no better than chance, and would lead astray a track that is
+        only doubted.
+        """
+        told = [self._health.confidence_of(sighting.evidence.without_jumps()) for sighting in sightings]
+        chosen = int(np.argmax(told))
+        best = sightings[chosen if told[chosen] >= self._health.trust_above else 0]
         evidence = best.evidence.without_jumps() if self._given else best.evidence
         return replace(best, evidence=evidence, timing=StepTiming.sum(sighting.timing for sighting in sightings))
 
@@ -173,6 +178,9 @@ class Tracker:
         return self._size.apply(pose, found.evidence.centroid)
 
     def _published(self) -> Pose:
-        """The last pose, or the last trusted one as long as a search has found nothing better."""
-        held = self._health.state is State.LOST and self._looks > 1
+        """The last pose, or the last trusted one as long as a search has found nothing better.
+
+        An object that comes alone in its cloud is where the cloud is, whatever the confidence thinks of its pose.
+        """
+        held = self._health.state is State.LOST and self._looks > 1 and self._category.background
         return self._search.trusted if held else self._pose

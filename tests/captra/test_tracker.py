@@ -7,6 +7,7 @@ from captra.categories import CATEGORIES
 from captra.geometry import Pose, axis_angle
 from captra.health import State
 from captra.metrics import rotation_error_deg
+from captra.recovery import LookBudget
 from captra.sampling import NoPointsError
 from captra.tracker import Tracker, TrackerOptions
 from tests.oracle import OracleNetworks, scene
@@ -143,3 +144,37 @@ def test_a_given_pose_may_be_rough_but_the_next_leap_counts() -> None:
     assert tracker.step((cloud + [0.03, 0.0, 0.0]).astype(np.float32)).evidence.parts[0].translation_jump > 0.05
     tracker.reset(tracker.pose)
     assert tracker.step(cloud).evidence.parts[0].translation_jump == 0
+
+
+class Inside(OracleNetworks):
+    """Takes every point for the one that lies opposite."""
+
+    def coordinates(self, points_canonical, neighborhoods):  # type: ignore[no-untyped-def]
+        segmentation, coordinates = super().coordinates(points_canonical, neighborhoods)
+        return segmentation, np.flip(coordinates, axis=1).copy()
+
+
+def lost(name: str, looks: int) -> tuple[Tracker, Pose]:
+    """A tracker that saw nonsense for a while, carried 1 cm off its last trusted pose, and what it published then."""
+    category, truth, cloud = scene(name, np.random.default_rng(22))
+    tracker = Tracker(Inside(category, truth, truth), truth, options=TrackerOptions(search=LookBudget(looks)))
+    for _ in range(8):
+        tracker.step(cloud)
+    tracker.displace(replace(tracker.pose, translation=tracker.pose.translation + [0.01, 0.0, 0.0]))
+    published = tracker.step(cloud).pose
+    assert tracker.health.state is State.LOST
+    return tracker, published
+
+
+@pytest.mark.parametrize("name", ["camera", "scissors"])
+def test_looks_that_do_not_convince_lead_nowhere(name: str) -> None:
+    (alone, _), (searching, _) = lost(name, looks=1), lost(name, looks=4)
+    np.testing.assert_array_equal(searching.pose.translation, alone.pose.translation)
+    np.testing.assert_array_equal(searching.pose.rotation, alone.pose.rotation)
+
+
+def test_only_an_object_among_others_is_held_where_it_was_trusted_last() -> None:
+    tracker, published = lost("scissors", looks=4)
+    np.testing.assert_array_equal(published.translation, tracker.pose.translation)
+    tracker, held = lost("camera", looks=4)
+    assert not np.array_equal(held.translation, tracker.pose.translation)
