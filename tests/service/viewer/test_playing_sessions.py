@@ -126,6 +126,7 @@ def test_what_the_service_recorded_is_listed_when_it_is_over_and_starts_again_wh
         session.reset(elsewhere)
         for i in range(2, 5):
             session.post(blob((0.3, 0, 0.5)), stamp(i))
+        page.wait_for_selector(f'[data-session="{session.session_id}"]')
     page.click(f'[data-recording="mug_{session.session_id}"]')
     played = play_to_the_end(page, recording)
     assert (played["counters"]["processed"], played["counters"]["rejected"]) == (5, 0)
