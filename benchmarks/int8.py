@@ -39,7 +39,7 @@ FEWEST_INPUTS = 32
 """Products of fewer columns read coordinates, which 8 bits are too coarse for; they cost nothing anyway."""
 
 KEPT = ("up1", "last", "hidden", "segmentation", "coordinates", "heads")
-"""Layers of single points: OpenVINO (2025.4) answers nonsense where these are quantized together with those before."""
+"""Layers of single points; OpenVINO (2025.4) does not answer right when they are left alone either."""
 
 
 def main(
