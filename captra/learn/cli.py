@@ -29,7 +29,7 @@ def train(
     run: Annotated[str, typer.Option(help="Name of the run: one state and one log each.")] = "run",
     start_from: Annotated[
         Path | None,
-        typer.Option(help="Folder with coordinate.pt and rotation.pt to start from; its name is their category."),
+        typer.Option(help="Bundle, or folder with coordinate.pt and rotation.pt, to start from; its name is their category."),
     ] = None,
     learning_rate: Annotated[
         float | None,

@@ -16,6 +16,7 @@ from captra.categories import Category
 from captra.data.view import View
 from captra.learn.checkpoint import CheckpointError, load_coordinate_net, load_rotation_net, save_checkpoint
 from captra.learn.coordinate_net import CoordinateNet
+from captra.learn.from_bundle import coordinate_net_of_graph, restore_norms, rotation_net_of_graph
 from captra.learn.learner import Learner
 from captra.learn.objectives import coordinate_objective, rotation_objective
 from captra.learn.perturbation import PerturbationMix, rotation_fusion_for
@@ -28,6 +29,10 @@ from captra.sampling import NoPointsError
 STATE_FILE = "state.pt"
 LOG_FILE = "log.jsonl"
 PREFETCH = 2
+NORM_BATCHES = 12
+"""Batches that the statistics of norms are measured on."""
+SOME_POINTS = 64
+"""RotationNet's heads have no such statistics: they need not run on many."""
 
 
 def transplant(source: nn.Module, target: nn.Module) -> None:
@@ -83,20 +88,45 @@ class Trainer:
             self._resume()
 
     def start_from(self, source: Category, folder: Path) -> None:
-        """Take over what fits of checkpoints, of this category or another: a run's folder, or what the project ships.
+        """Take over what fits of networks of this category or another: of a run, of shipped checkpoints or a bundle.
 
         Raises:
             CheckpointError: they are missing, or not of `source`.
         """
-        transplant(load_coordinate_net(folder / "coordinate.pt", source), self.coordinate.network)
-        rotation = load_rotation_net(folder / "rotation.pt", source)
+        if (folder / "coordinate.onnx").exists():
+            coordinate = coordinate_net_of_graph(folder / "coordinate.onnx", source)
+            rotation = rotation_net_of_graph(folder / "rotation.onnx", source)
+            transplant(coordinate, self.coordinate.network)
+            self._take_rotation(rotation, source)
+            self._restore_norms()
+        else:
+            transplant(load_coordinate_net(folder / "coordinate.pt", source), self.coordinate.network)
+            self._take_rotation(load_rotation_net(folder / "rotation.pt", source), source)
+        self.coordinate.restart()
+        self.rotation.restart()
+        self.progress.rotation_started = True
+
+    def _take_rotation(self, rotation: RotationNet, source: Category) -> None:
         transplant(rotation, self.rotation.network)
         if source.symmetric == self.category.symmetric:
             for head in self.rotation.network.heads[source.num_parts :]:
                 head.load_state_dict(rotation.heads[0].state_dict())
-        self.coordinate.restart()
-        self.rotation.restart()
-        self.progress.rotation_started = True
+
+    def _restore_norms(self) -> None:
+        """Networks that came from a bundle have lost the statistics of their norms."""
+        batches = [self._prepare(self.plan.batch_size * number) for number in range(NORM_BATCHES)]
+
+        def show(objective: Callable[[Batch], object]) -> None:
+            for batch in batches:
+                objective(batch)
+
+        coordinate, rotation = self.coordinate.network.eval(), self.rotation.network.eval()
+        restore_norms(coordinate, lambda: show(lambda batch: coordinate_objective(coordinate, batch, self.category)))
+        restore_norms(
+            rotation, lambda: show(lambda batch: rotation_objective(rotation, batch, self.category, SOME_POINTS))
+        )
+        coordinate.train()
+        rotation.train()
 
     def run(self, report: Callable[[Progress, dict[str, float]], None], save_every_s: float = 120.0) -> None:
         """Train until the plan's samples are used up; interrupting saves and loses nothing."""
