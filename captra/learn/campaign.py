@@ -59,8 +59,6 @@ class Folders:
     """State, views, runs and candidates."""
     models: Path
     """Bundles that ship."""
-    checkpoints: Path
-    """Checkpoints that ship, a folder a category."""
 
     @property
     def state(self) -> Path:
@@ -89,10 +87,9 @@ class Folders:
         return self.run(category) / "validation.jsonl"
 
     def start_from(self, category: str) -> Path | None:
-        """Checkpoints to start from: its own that ship, or those of the category that it starts from."""
-        source = WARM_STARTS.get(category, category)
-        places = (self.checkpoints / category, self.checkpoints / source)
-        return next((place for place in places if (place / "rotation.pt").exists()), None)
+        """The bundle to start from: its own that ships, or that of the category that it starts from."""
+        places = (self.models / category, self.models / WARM_STARTS.get(category, category))
+        return next((place for place in places if (place / "rotation.onnx").exists()), None)
 
 
 class Steps(Protocol):

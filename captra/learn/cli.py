@@ -29,7 +29,7 @@ def train(
     run: Annotated[str, typer.Option(help="Name of the run: one state and one log each.")] = "run",
     start_from: Annotated[
         Path | None,
-        typer.Option(help="Bundle, or folder with coordinate.pt and rotation.pt, to start from; its name is their category."),
+        typer.Option(help="Bundle or folder of checkpoints to start from; its name is their category."),
     ] = None,
     learning_rate: Annotated[
         float | None,
@@ -136,7 +136,7 @@ def run_campaign(
 
     from captra.learn.campaign import Campaign, Folders, LocalSteps, yield_to_others
 
-    folders = Folders(folder, Path("models"), Path("checkpoints"))
+    folders = Folders(folder, Path("models"))
     folder.mkdir(parents=True, exist_ok=True)
 
     def note(text: str) -> None:

@@ -41,7 +41,7 @@ class Scripted:
 @pytest.fixture
 def folders(tmp_path: Path) -> Folders:
     (tmp_path / "models").mkdir()
-    return Folders(tmp_path / ".campaign", tmp_path / "models", tmp_path / "checkpoints")
+    return Folders(tmp_path / ".campaign", tmp_path / "models")
 
 
 def test_only_what_scores_better_ships(folders: Folders) -> None:
@@ -83,9 +83,10 @@ def test_categories_that_others_start_from_come_first(folders: Folders) -> None:
     assert sorted(QUEUE) == sorted(CATEGORIES)
     assert all(QUEUE.index(source) < QUEUE.index(category) for category, source in WARM_STARTS.items())
     assert folders.start_from("can") is None
-    (folders.checkpoints / "bottle").mkdir(parents=True)
-    (folders.checkpoints / "bottle" / "rotation.pt").touch()
-    assert folders.start_from("can") == folders.checkpoints / "bottle"
+    for ships in ("bottle", "can"):
+        (folders.models / ships).mkdir(parents=True)
+        (folders.models / ships / "rotation.onnx").touch()
+        assert folders.start_from("can") == folders.models / ships
 
 
 def test_the_real_steps_lead_from_nothing_to_a_bundle(folders: Folders) -> None:

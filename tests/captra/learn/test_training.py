@@ -13,6 +13,7 @@ from captra.learn.curves import plot_curves
 from captra.learn.plan import Plan, Stage
 from captra.learn.training import LOG_FILE, STATE_FILE, Progress, Trainer
 from captra.sampling import Profile
+from tests.made_up import batch_of_clouds, networks_of, write_bundle
 from tests.oracle import scene
 
 TINY = Profile("tiny", 128, (32, 8), ((4, 4, 4), (4, 4)))
@@ -97,6 +98,21 @@ def test_a_new_run_can_start_from_the_weights_of_another(tmp_path: Path) -> None
     for name, tensor in old.state_dict().items():
         torch.testing.assert_close(trainer.coordinate.network.state_dict()[name], tensor)
     assert trainer.progress.rotation_started
+
+
+def test_a_new_run_can_start_from_a_bundle(tmp_path: Path) -> None:
+    mug = get_category("mug")
+    bundle = write_bundle("mug", tmp_path / "mug")
+    trainer = Trainer(mug, FewViews("mug"), PLAN, tmp_path / "run")
+    trainer.start_from(mug, bundle)
+    for network in (trainer.coordinate, trainer.rotation):
+        assert network.network.training
+        torch.testing.assert_close(network.averaged.state_dict(), network.network.state_dict())
+    points, neighborhoods = batch_of_clouds(2, 0)
+    with torch.no_grad():
+        ours = trainer.coordinate.averaged.eval()(points, neighborhoods)
+        theirs = networks_of("mug")[0](points, neighborhoods)
+    torch.testing.assert_close(ours, theirs, rtol=0.05, atol=0.02)
 
 
 def test_a_new_run_can_start_from_another_category(tmp_path: Path) -> None:
