@@ -18,6 +18,8 @@ class PartEvidence:
     """Points labelled as the part."""
     centroid: Float64[np.ndarray, "3"]
     """Their mean, metres, in the frame of the cloud; the part's centre for a part that could not be fitted."""
+    explained: Float64[np.ndarray, "explained 3"]
+    """Those of them that agree with the fit, metres, in the frame of the cloud."""
     residual: float
     """RMS distance between fitted coordinates and points, in units of the scale."""
     inliers: float
@@ -57,6 +59,7 @@ class PartEvidence:
         return PartEvidence(
             points=points,
             centroid=centre,
+            explained=np.zeros((0, 3)),
             residual=1.0,
             inliers=0.0,
             disagreement_rad=np.pi,
@@ -115,10 +118,10 @@ def thickness(points: Float[np.ndarray, "points 3"]) -> float:
 
 def agreement(
     fitted: Float[np.ndarray, "points 3"], points: Float[np.ndarray, "points 3"], tolerance: float
-) -> tuple[float, float]:
-    """RMS distance between corresponding points, in their unit, and the share of them nearer than `tolerance`."""
+) -> tuple[float, Bool[np.ndarray, " points"]]:
+    """RMS distance between corresponding points, in their unit, and which of them are nearer than `tolerance`."""
     square, near = _agreement(doubles(fitted), doubles(points), tolerance * tolerance)
-    return float(np.sqrt(square / len(points))), near / len(points)
+    return float(np.sqrt(square / len(points))), near
 
 
 def share_outside(points_part: Float[np.ndarray, "points 3"], size: Float[np.ndarray, "3"]) -> float:
@@ -144,15 +147,15 @@ def warm_up() -> None:
 @compiled
 def _agreement(
     fitted: Float64[np.ndarray, "points 3"], points: Float64[np.ndarray, "points 3"], squared_tolerance: float
-) -> tuple[float, int]:
-    total, near = 0.0, 0
+) -> tuple[float, Bool[np.ndarray, " points"]]:
+    total, near = 0.0, np.empty(len(points), np.bool_)
     for i in range(len(points)):
         square = 0.0
         for axis in range(3):
             difference = fitted[i, axis] - points[i, axis]
             square += difference * difference
         total += square
-        near += square < squared_tolerance
+        near[i] = square < squared_tolerance
     return total, near
 
 

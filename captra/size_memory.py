@@ -7,37 +7,58 @@ from jaxtyping import Float64
 
 from captra.geometry import Pose
 
-GIVEN_WEIGHT_FRAMES = 25.0
-"""Frames that the size of a given pose is worth: it is known to some 2 %, one frame tells it to some 10 %."""
+GIVEN_ERROR = 0.03
+"""Standard deviation of the logarithm of a given size: whoever knows an object knows its size to some 3 %."""
 
+SCALE_ERROR, SIDES_ERROR = 0.03, 0.07
+"""Likewise of what networks find for one object, however often they look: they are wrong in the same way every time."""
+
+FRAME_ERROR = 0.3
+"""Likewise of what one frame adds to that, taken so large since frames that follow each other err alike."""
 
 SMALLEST_SIDE_M = 1e-4
 
 
 @dataclass(frozen=True)
 class SizeMemory:
-    """Running means, in logarithms, of the given size and of what each frame measured."""
+    """The given size, and running means of what frames measured, all in logarithms."""
 
-    log_scale: Float64[np.ndarray, " parts"]
-    """Logarithm of the scale, metres."""
-    log_size: Float64[np.ndarray, "parts 3"]
-    """Logarithm of the box's sides, metres."""
-    weight_frames: float
-    """What has gone into the means, in frames."""
+    given: Pose
+    """Its scale and size are what was given."""
+    given_error: float
+    """Standard deviation of the logarithms of both."""
+    mean_log_scale: Float64[np.ndarray, " parts"]
+    """Of the measured scales, metres."""
+    mean_log_size: Float64[np.ndarray, "parts 3"]
+    """Of the measured boxes' sides, metres."""
+    frames: int = 0
+    """How many were measured."""
 
     @staticmethod
-    def of(given: Pose, weight_frames: float = GIVEN_WEIGHT_FRAMES) -> "SizeMemory":
+    def of(given: Pose, given_error: float = GIVEN_ERROR) -> "SizeMemory":
         """Before the first frame: only the given pose is known."""
-        return SizeMemory(np.log(given.scale), np.log(given.size), weight_frames)
+        return SizeMemory(given, given_error, np.zeros(given.scale.shape), np.zeros(given.size.shape))
 
     def updated(self, measured: Pose) -> "SizeMemory":
         """After one more frame."""
-        gain = 1 / (self.weight_frames + 1)
-        return SizeMemory(
-            self.log_scale + gain * (np.log(measured.scale) - self.log_scale),
-            self.log_size + gain * (np.log(np.maximum(measured.size, SMALLEST_SIDE_M)) - self.log_size),
-            self.weight_frames + 1,
+        gain = 1 / (self.frames + 1)
+        log_size = np.log(np.maximum(measured.size, SMALLEST_SIDE_M))
+        return replace(
+            self,
+            mean_log_scale=self.mean_log_scale + gain * (np.log(measured.scale) - self.mean_log_scale),
+            mean_log_size=self.mean_log_size + gain * (log_size - self.mean_log_size),
+            frames=self.frames + 1,
         )
+
+    @property
+    def scale(self) -> Float64[np.ndarray, " parts"]:
+        """What is believed of the scale, metres."""
+        return self._weighed(self.given.scale, self.mean_log_scale, SCALE_ERROR)
+
+    @property
+    def size(self) -> Float64[np.ndarray, "parts 3"]:
+        """What is believed of the box's sides, metres."""
+        return self._weighed(self.given.size, self.mean_log_size, SIDES_ERROR)
 
     def apply(self, measured: Pose, centroid: Float64[np.ndarray, "parts 3"]) -> Pose:
         """The measured pose at the remembered size.
@@ -45,6 +66,18 @@ class SizeMemory:
         The translation that fits a scale s to points of mean c and rotated coordinates of mean w is c − s w, so another
         scale moves the centre towards or away from `centroid`, the mean of each part's points.
         """
-        scale = np.exp(self.log_scale)
+        scale = self.scale
         translation = centroid + (scale / measured.scale)[:, None] * (measured.translation - centroid)
-        return replace(measured, translation=translation, scale=scale, size=np.exp(self.log_size))
+        return replace(measured, translation=translation, scale=scale, size=self.size)
+
+    def _weighed(
+        self, given: Float64[np.ndarray, "*sides"], mean_log: Float64[np.ndarray, "*sides"], error: float
+    ) -> Float64[np.ndarray, "*sides"]:
+        """Each counts by the inverse of its variance; a given size far from the measured one is doubted (Cauchy)."""
+        if not self.frames:
+            return given
+        measured_variance = error**2 + FRAME_ERROR**2 / self.frames
+        difference = mean_log - np.log(given)
+        given_variance = self.given_error**2 * (1 + difference**2 / (4 * measured_variance))
+        share = given_variance / (given_variance + measured_variance)
+        return np.asarray(given * np.exp(share * difference))

@@ -162,14 +162,15 @@ def fit_part(
     if not np.isfinite(scale) or scale <= 0:
         return *kept, missing
     size = scale * 2 * np.abs(prediction.coordinates[part, mask]).max(axis=0)
-    residual, inliers = agreement(scale * rotated + translation, own, INLIER_RESIDUAL * scale)
+    residual, near = agreement(scale * rotated + translation, own, INLIER_RESIDUAL * scale)
     boxed = inside_box(points, last)
     in_box = np.count_nonzero(boxed)
     evidence = PartEvidence(
         points=len(own),
         centroid=own.mean(axis=0, dtype=np.float64),
+        explained=own[near].astype(np.float64),
         residual=residual / scale,
-        inliers=inliers,
+        inliers=np.count_nonzero(near) / len(own),
         disagreement_rad=found.disagreement_rad,
         rotation_jump_rad=angle_between(found.rotation, last.rotation[0], found.turn),
         translation_jump=float(np.linalg.norm(translation - last.translation[0]) / last.scale[0]),

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Float
 
+from captra.containment import contained
 from captra.evidence import Evidence
 from captra.geometry import Pose
 from captra.health import HealthMonitor, State
@@ -18,7 +19,7 @@ from captra.output_filter import UNFILTERED, OutputFilter
 from captra.recovery import NO_SEARCH, Search, SearchBudget
 from captra.sampling import NoPointsError
 from captra.segmentation import NOTHING_KNOWN, Segmentation
-from captra.size_memory import GIVEN_WEIGHT_FRAMES, SizeMemory
+from captra.size_memory import GIVEN_ERROR, SizeMemory
 from captra.solving import hold_gauge
 
 
@@ -52,8 +53,8 @@ class TrackerOptions:
     """What joints allow; by default what the networks come with."""
     output_filter: OutputFilter = UNFILTERED
     """Smooths what is published; never fed back."""
-    given_weight_frames: float = GIVEN_WEIGHT_FRAMES
-    """Frames that the size of a given pose is worth."""
+    given_size_error: float = GIVEN_ERROR
+    """Standard deviation of the logarithm of the size of a given pose; at 0 it is taken for known."""
 
 
 class Tracker:
@@ -101,7 +102,7 @@ class Tracker:
             )
         self._pose = pose
         self._given = True  # and rough: the first look may well find the object elsewhere
-        self._size = SizeMemory.of(pose, self._options.given_weight_frames)
+        self._size = SizeMemory.of(pose, self._options.given_size_error)
         self._health = self._health.restarted()
         self._motion = self._options.motion.restarted(pose)
         self._search = Search(pose)
@@ -171,11 +172,11 @@ class Tracker:
         return replace(best, evidence=evidence, timing=StepTiming.sum(sighting.timing for sighting in sightings))
 
     def _sized(self, found: Sighting) -> Pose:
-        """What was found, at the size and in the gauge that the track remembers."""
+        """What was found, in the gauge and at the size that the track remembers, around the points."""
         pose = hold_gauge(found.pose, self._pose, self._category)
         if self._health.state in (State.TRACKING, State.UNCERTAIN):
             self._size = self._size.updated(pose)
-        return self._size.apply(pose, found.evidence.centroid)
+        return contained(self._size.apply(pose, found.evidence.centroid), found.evidence)
 
     def _published(self) -> Pose:
         """The last pose, or the last trusted one as long as a search has found nothing better.

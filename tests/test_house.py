@@ -30,7 +30,7 @@ CORE_NEEDS = {"numpy", "numba", "jaxtyping"}
 CONSOLE = {"captra/cli.py", "captra/__main__.py"}
 ONLY_IN: dict[str, tuple[str, ...]] = {
     "torch": ("captra/learn/", "export/"),
-    "onnx": ("export/",),
+    "onnx": ("export/", "captra/learn/from_bundle.py"),
     "onnxruntime": ("captra/runtime/", "captra/bench/"),
     "trimesh": ("captra/data/", "captra/learn/"),
     "embreex": ("captra/data/",),

@@ -78,10 +78,7 @@ def restore_norms(network: nn.Module, run: Callable[[], object]) -> None:
     """
     layers = [module for module in network.modules() if isinstance(module, NormalizedLinear)]
     moments = {layer.norm: _Moments(layer.norm.num_features) for layer in layers}
-    hooks = [
-        norm.register_forward_pre_hook(lambda norm, inputs: moments[norm].add(inputs[0]))  # type: ignore[index]
-        for norm in moments
-    ]
+    hooks = [norm.register_forward_pre_hook(lambda norm, inputs: moments[norm].add(inputs[0])) for norm in moments]
     try:
         run()
     finally:
@@ -90,7 +87,7 @@ def restore_norms(network: nn.Module, run: Callable[[], object]) -> None:
     for layer in layers:
         length = layer.weight.norm(dim=1).clamp(min=1e-6) / ROW_NORM
         mean, variance = moments[layer.norm].mean_and_variance()
-        layer.weight /= length[:, None]
+        layer.weight.div_(length[:, None])
         norm = layer.norm
         _copy(cast("Tensor", norm.running_mean), mean / length)
         _copy(cast("Tensor", norm.running_var), variance / length.square())

@@ -11,6 +11,7 @@ from captra.evidence import Evidence, PartEvidence
 GOOD = PartEvidence(
     points=500,
     centroid=np.zeros(3),
+    explained=np.zeros((0, 3)),
     residual=0.02,
     inliers=0.95,
     disagreement_rad=0.03,

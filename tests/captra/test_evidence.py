@@ -19,12 +19,12 @@ def test_what_lies_beyond_a_box_and_its_margin_is_outside() -> None:
     assert share_outside(points, size) == pytest.approx(2 / 5)
 
 
-def test_agreement_is_the_rms_distance_and_the_share_that_is_near() -> None:
+def test_agreement_is_the_rms_distance_and_what_is_near() -> None:
     points = np.random.default_rng(1).standard_normal((4, 3)).astype(np.float32)
     off = np.array([[0.0, 0.0, 0.0], [0.3, 0.0, 0.0], [0.0, 0.4, 0.3], [0.0, 0.0, -0.29]])
     rms, near = agreement(points + off, points, 0.3)
     assert rms == pytest.approx(np.sqrt((0.09 + 0.25 + 0.29**2) / 4), rel=1e-6)
-    assert near == pytest.approx(2 / 4)
+    np.testing.assert_array_equal(near, [True, False, False, True])
 
 
 def test_the_box_of_a_pose_is_turned_and_moved_with_it() -> None:

@@ -29,7 +29,7 @@ def test_one_step_with_perfect_networks_finds_the_pose_of_every_part(name: str) 
     rng = np.random.default_rng(3)
     category, truth, cloud = scene(name, rng)
     start = perturbed(truth, rng)
-    tracker = Tracker(OracleNetworks(category, truth, start), start, options=TrackerOptions(given_weight_frames=0))
+    tracker = Tracker(OracleNetworks(category, truth, start), start, options=TrackerOptions(given_size_error=1e3))
     result = tracker.step(cloud)
     errors = rotation_error_deg(result.pose.rotation, truth.rotation, symmetric=category.symmetric)
     assert errors.max() < 0.1

@@ -14,11 +14,8 @@ from captra.motion import STANDING_STILL, MotionModel
 from captra.perturbation import perturb
 from captra.recovery import NO_SEARCH, LookBudget, SearchBudget
 from captra.runtime.onnx_networks import OnnxNetworks
-from captra.size_memory import GIVEN_WEIGHT_FRAMES
+from captra.size_memory import GIVEN_ERROR
 from captra.tracker import Tracker, TrackerOptions
-
-ENDLESS_FRAMES = 1e9
-"""A given size that is worth so many frames never changes."""
 
 AS_SEARCHED = LookBudget(4)
 """What the time that the service searches by default is worth on two cores, on any machine."""
@@ -34,8 +31,8 @@ class Served:
     """Pose noise added to the given pose, which has the category's noise once already; in units of that noise."""
     frame_noise: float = 0.0
     """Pose noise added to the last pose before every step, in the same units."""
-    given_weight_frames: float = GIVEN_WEIGHT_FRAMES
-    """Frames that the size of the given pose is worth."""
+    given_size_error: float = GIVEN_ERROR
+    """Standard deviation of the logarithm of the size of the given pose."""
     motion: MotionModel = STANDING_STILL
     """Where the next pose is expected."""
     search: SearchBudget = AS_SEARCHED
@@ -46,7 +43,7 @@ class Served:
         recording = sequence.recording
         rng = np.random.default_rng(zlib.crc32(recording.name.encode()))
         start = _disturbed(recording.init, networks, rng, self.start_noise)
-        options = TrackerOptions(motion=self.motion, search=self.search, given_weight_frames=self.given_weight_frames)
+        options = TrackerOptions(motion=self.motion, search=self.search, given_size_error=self.given_size_error)
         tracker = Tracker(networks, start, _health_of(networks), options)
         states: list[State] = [State.TRACKING]
 
@@ -78,7 +75,7 @@ ROBUSTNESS = (
 )
 """The settings of the paper's table "Robustness to pose errors"."""
 
-FIXED_SCALE = Served("scale fixed at its start", given_weight_frames=ENDLESS_FRAMES)
+FIXED_SCALE = Served("scale fixed at its start", given_size_error=0.0)
 """What becomes of a track whose size is taken for known."""
 
 ONE_LOOK = Served("one look a frame", search=NO_SEARCH)

@@ -1,0 +1,40 @@
+"""An object is inside its box: poses whose box leaves points outside move until it holds them.
+
+Coordinates of what a camera sees of a box say little of how far it reaches where nothing is seen: the front of a drawer
+looks the same however deep the drawer is. At a size that is known, the points alone tell where the box can be.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+from jaxtyping import Float, Float64
+
+from captra.evidence import Evidence
+from captra.geometry import Pose
+
+FEWEST_POINTS = 20
+"""Fewer say nothing of where a box ends."""
+
+STRAYS = 0.02
+"""Share of points, at either end of each axis, that may be strays."""
+
+
+def contained(pose: Pose, evidence: Evidence) -> Pose:
+    """The pose with every part's box moved, as little as need be, to hold the points that its fit explains."""
+    shifts = [
+        _shift((part.explained - centre) @ rotation, size)
+        for part, centre, rotation, size in zip(evidence.parts, pose.translation, pose.rotation, pose.size, strict=True)
+    ]
+    moved = np.einsum("pij,pj->pi", pose.rotation, np.stack(shifts))
+    return replace(pose, translation=pose.translation + moved)
+
+
+def _shift(points_part: Float[np.ndarray, "points 3"], size: Float64[np.ndarray, "3"]) -> Float64[np.ndarray, "3"]:
+    """How far to move a centred box along its own axes; points that reach further than it end up around its middle."""
+    count = len(points_part)
+    if count < FEWEST_POINTS:
+        return np.zeros(3)
+    strays = int(STRAYS * count)
+    ordered = np.partition(points_part, (strays, count - 1 - strays), axis=0)
+    ends = ordered[count - 1 - strays] - size / 2, ordered[strays] + size / 2
+    return np.asarray(np.clip(0.0, np.minimum(*ends), np.maximum(*ends)))
