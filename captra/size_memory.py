@@ -10,8 +10,12 @@ from captra.geometry import Pose
 GIVEN_ERROR = 0.03
 """Standard deviation of the logarithm of a given size: whoever knows an object knows its size to some 3 %."""
 
-SCALE_ERROR, SIDES_ERROR = 0.03, 0.07
-"""Likewise of what networks find for one object, however often they look: they are wrong in the same way every time."""
+SCALE_ERROR = 0.03
+"""Likewise of the scale that networks find for one object, however often they look: they err alike every time."""
+
+SIDE_ERROR = 0.04
+"""Likewise of a side as long as the scale; shorter ones are told as much worse as they are shorter, since coordinates
+err by a share of the scale."""
 
 FRAME_ERROR = 0.3
 """Likewise of what one frame adds to that, taken so large since frames that follow each other err alike."""
@@ -58,7 +62,9 @@ class SizeMemory:
     @property
     def size(self) -> Float64[np.ndarray, "parts 3"]:
         """What is believed of the box's sides, metres."""
-        return self._weighed(self.given.size, self.mean_log_size, SIDES_ERROR)
+        return self._weighed(
+            self.given.size, self.mean_log_size, SIDE_ERROR * self.given.scale[:, None] / self.given.size
+        )
 
     def apply(self, measured: Pose, centroid: Float64[np.ndarray, "parts 3"]) -> Pose:
         """The measured pose at the remembered size.
@@ -71,7 +77,10 @@ class SizeMemory:
         return replace(measured, translation=translation, scale=scale, size=self.size)
 
     def _weighed(
-        self, given: Float64[np.ndarray, "*sides"], mean_log: Float64[np.ndarray, "*sides"], error: float
+        self,
+        given: Float64[np.ndarray, "*sides"],
+        mean_log: Float64[np.ndarray, "*sides"],
+        error: float | Float64[np.ndarray, "*sides"],
     ) -> Float64[np.ndarray, "*sides"]:
         """Each counts by the inverse of its variance; a given size far from the measured one is doubted (Cauchy)."""
         if not self.frames:

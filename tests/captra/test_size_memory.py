@@ -39,6 +39,12 @@ def test_a_given_size_that_is_far_off_is_doubted_in_time() -> None:
     assert remembered(pose(0.2), pose(0.2, (0.1, 0.3, 0.1)), 300).size[0, 1] == pytest.approx(0.3, rel=0.15)
 
 
+def test_a_thin_side_is_measured_worse_than_a_long_one() -> None:
+    given, measured = pose(0.2, (0.01, 0.15, 0.1)), pose(0.2, (0.015, 0.225, 0.15))
+    gained = np.log(remembered(given, measured, 100).size / given.size)[0]
+    assert gained[0] < gained[2] < gained[1]
+
+
 @pytest.mark.parametrize(("given_error", "share"), [(0.0, 0.0), (1e3, 1.0)])
 def test_a_size_may_be_known_or_a_guess(given_error: float, share: float) -> None:
     memory = SizeMemory.of(pose(0.2), given_error).updated(pose(0.3))
