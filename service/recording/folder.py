@@ -50,7 +50,13 @@ class Recordings:
         self._max_bytes = max_bytes
         self._max_total_bytes = max_total_bytes
         self._promised: dict[str, int] = {}  # how large the recordings at work may become
+        self._changes = 0
         self._lock = threading.Lock()
+
+    @property
+    def changes(self) -> int:
+        """How often another recording became whole or one was deleted, in this process."""
+        return self._changes
 
     def salvage(self) -> None:
         """Make whole what a process that died has left behind."""
@@ -128,12 +134,15 @@ class Recordings:
             UnfinishedRecordingError: its session is still open.
         """
         self.path(name).unlink(missing_ok=True)
+        with self._lock:
+            self._changes += 1
 
     def _finished(self, name: str) -> None:
         with self._lock:
             self._promised.pop(name, None)
             path = self._folder / (name + UNFINISHED)
             path.rename(self._folder / (name + WHOLE))
+            self._changes += 1
 
     def _used_bytes(self) -> int:
         whole = sum(path.stat().st_size for path in self._folder.glob(f"*{WHOLE}"))

@@ -11,13 +11,18 @@ from service.viewer.previews import Previews
 
 
 def overview(service: TrackingService, previews: Previews) -> bytes:
-    """Every open session and every preview, as the message that viewers get twice a second."""
+    """What there is to look at, as the message that viewers get twice a second.
+
+    Of recordings it has no more than how often their list changed, so that a page asks for them when they are others
+    than it shows: a session may open and end between two of these messages.
+    """
     return orjson.dumps(
         {
             "type": "overview",
             "time_s": time.monotonic(),
             "sessions": [summary(session) for session in service.registry.sessions()],
             "previews": previews.names(),
+            "recordings_changes": service.recordings.changes,
         }
     )
 

@@ -16,7 +16,7 @@ import { Sidebar } from "./sidebar";
 import { showStatus } from "./status";
 import { Stream, type Listener } from "./stream";
 import { COLOURS, NOTHING } from "./types";
-import type { Category, CloudMessage, Message, Part, Result, Scene, Summary } from "./types";
+import type { Category, CloudMessage, Message, Overview, Part, Result, Scene } from "./types";
 
 const TOAST_MS = 6000;
 const CLOSE_UP = 3.2;
@@ -35,6 +35,7 @@ export class App implements Listener {
   private stream: Stream;
   private resetting = false;
   private chosenByHand = false;
+  private recordingsChanges: number | null = null;
 
   constructor(
     private rest: Rest,
@@ -65,6 +66,7 @@ export class App implements Listener {
   }
 
   onLink(live: boolean): void {
+    this.recordingsChanges = null; // a service that was started again counts anew
     byId("link").className = live ? "live" : "";
     byId("link").textContent = live ? "live" : "no connection";
   }
@@ -72,7 +74,7 @@ export class App implements Listener {
   onMessage(message: Message): void {
     switch (message.type) {
       case "overview":
-        return this.survey(message.sessions, message.previews, message.time_s);
+        return this.survey(message);
       case "result":
         return this.take(message.result);
       case "refused":
@@ -237,17 +239,18 @@ export class App implements Listener {
     this.view.draw();
   }
 
-  private survey(sessions: Summary[], previews: string[], time: number): void {
+  private survey({ sessions, previews, time_s, recordings_changes }: Overview): void {
     for (const { session_id: id, processed, state, confidence, latency_ms } of sessions) {
       const before = this.model.sessions.find((each) => each.session_id === id)?.processed ?? processed;
       if (id !== this.model.sessionId && processed > before) this.histories.add(id, state, confidence, latency_ms);
     }
-    const open = new Set(sessions.map((each) => each.session_id));
-    this.histories.keep(open);
-    // Whatever was recorded of one that is closed can be played now.
-    if (this.model.sessions.some((each) => !open.has(each.session_id))) this.attempt(() => this.admitted());
+    this.histories.keep(new Set(sessions.map((each) => each.session_id)));
+    if (this.recordingsChanges !== recordings_changes) {
+      this.recordingsChanges = recordings_changes;
+      this.attempt(() => this.admitted());
+    }
     Object.assign(this.model, { sessions, previews });
-    this.sidebar.count(sessions, time);
+    this.sidebar.count(sessions, time_s);
     const newest = sessions.at(-1);
     if (this.model.scene.kind === "none" && !this.chosenByHand && newest !== undefined) {
       this.look({ kind: "session", id: newest.session_id });

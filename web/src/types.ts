@@ -66,8 +66,16 @@ export interface Cloud {
 
 export type CloudMessage = Cloud & { type: "cloud"; scene: string; result: Result | null };
 
+export interface Overview {
+  type: "overview";
+  time_s: number;
+  sessions: Summary[];
+  previews: string[];
+  recordings_changes: number;
+}
+
 export type Message =
-  | { type: "overview"; time_s: number; sessions: Summary[]; previews: string[] }
+  | Overview
   | { type: "result"; result: Result }
   | { type: "event"; event: { kind: string; session_id: string; reason: string | null; detail: string | null } }
   | { type: "refused"; detail: string };

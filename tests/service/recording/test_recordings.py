@@ -66,6 +66,19 @@ def names(service: Running) -> list[dict[str, Any]]:
     return found
 
 
+def test_whoever_shows_the_list_is_told_when_it_changes(recording: Running) -> None:
+    def changes() -> int:
+        return recording.service.recordings.changes
+
+    before = changes()
+    session_id: str = recording.open_session(record=True)["session_id"]
+    assert changes() == before, "there is nothing to play before it is over"
+    recording.http.delete(f"/v1/sessions/{session_id}")
+    assert changes() == before + 1
+    recording.http.delete(f"/v1/recordings/mug_{session_id}")
+    assert changes() == before + 2
+
+
 def test_a_recorded_session_is_fetched_and_replays_to_the_last_digit(recording: Running, tmp_path: Path) -> None:
     session_id = track_something(recording)
     (entry,) = names(recording)

@@ -16,6 +16,8 @@ from captra.geometry import Pose
 from clients import Box, Camera, DepthImage, Frame, Mask, PointCloud2, open_session
 from clients.listening import listen_to
 from clients.rest import RestApi
+from service.viewer.previews import Previews
+from service.viewer.summaries import overview
 from tests.service.ros2.clouds import cdr
 from tests.service.support import Running, blob, running
 
@@ -131,6 +133,22 @@ def test_what_the_service_recorded_is_listed_when_it_is_over_and_starts_again_wh
     played = play_to_the_end(page, recording)
     assert (played["counters"]["processed"], played["counters"]["rejected"]) == (5, 0)
     np.testing.assert_allclose(played["last_result"]["parts"][0]["translation"], (0.3, 0, 0.5), atol=2e-3)
+
+
+def test_a_session_that_opened_and_ended_between_two_surveys_has_its_recording_listed(
+    page: Page, recording: Running, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    url, told = str(recording.http.base_url), "[data-recording^=mug_]"
+    with monkeypatch.context() as held:
+        before = overview(recording.service, Previews(recording.service))
+        held.setattr("service.viewer.socket.overview", lambda service, previews: before)
+        with open_session("mug", START, url=url, record_in_service=True) as session:
+            session.post(blob(), stamp(0))
+        assert page.locator(told).count() == 0
+    page.wait_for_selector(told)
+    assert session.session_id in str(page.get_attribute(told, "data-recording"))
+    assert recording.http.delete(f"/v1/recordings/mug_{session.session_id}").status_code == 204
+    until(page, f"document.querySelector('{told}') === null")
 
 
 def test_a_file_without_a_session_is_told(page: Page, tmp_path: Path) -> None:
