@@ -30,6 +30,14 @@ def test_every_field_kind_and_setting_is_listed() -> None:
         assert f"`CAPTRA_{name.upper()}`" in TEXT, name
 
 
+def test_every_field_of_the_rest_api_is_listed(service: Running) -> None:
+    named = set(re.findall(r"\w+", " ".join(re.findall(r"`([^`\n]+)`", TEXT))))
+    schemas = service.http.get("/openapi.json").json()["components"]["schemas"]
+    fields = {(name, field) for name, schema in schemas.items() for field in schema.get("properties", {})}
+    assert len(fields) > 50
+    assert {(name, field) for name, field in fields if field not in named} == set()
+
+
 def test_links_lead_to_headings() -> None:
     headings = {heading.lower().replace(" ", "-") for heading in re.findall(r"^#+ (.*)$", TEXT, re.MULTILINE)}
     assert set(re.findall(r"\]\(#([\w-]+)\)", TEXT)) <= headings
