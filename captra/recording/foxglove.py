@@ -1,6 +1,5 @@
-"""Clouds, poses and boxes in Foxglove's well-known schemas, so that Foxglove and Rerun show them as they are."""
+"""Clouds, poses and boxes as Foxglove's messages have them, so that Foxglove and Rerun show them as they are."""
 
-import base64
 from collections.abc import Sequence
 from typing import Any, Protocol
 
@@ -18,8 +17,6 @@ COLOURS = {
     State.LOST: (0.9, 0.2, 0.2, 0.4),
 }
 """Red, green, blue, alpha."""
-
-Schema = dict[str, Any]
 
 
 class Part(Protocol):
@@ -66,49 +63,10 @@ class Result(Protocol):
         """One a part."""
 
 
-def record(**properties: Schema) -> Schema:
-    """JSON schema of an object."""
-    return {"type": "object", "properties": properties}
-
-
-def list_of(items: Schema) -> Schema:
-    """JSON schema of a list."""
-    return {"type": "array", "items": items}
-
-
-NUMBER, INTEGER, STRING = {"type": "number"}, {"type": "integer"}, {"type": "string"}
-BYTES = {"type": "string", "contentEncoding": "base64"}
-TIME = record(sec=INTEGER, nsec=INTEGER) | {"title": "time"}
-DURATION = record(sec=INTEGER, nsec=INTEGER) | {"title": "duration"}
-VECTOR3 = record(x=NUMBER, y=NUMBER, z=NUMBER)
-QUATERNION = record(x=NUMBER, y=NUMBER, z=NUMBER, w=NUMBER)
-POSE = record(position=VECTOR3, orientation=QUATERNION)
-COLOUR = record(r=NUMBER, g=NUMBER, b=NUMBER, a=NUMBER)
-FIELD = record(name=STRING, offset=INTEGER, type=INTEGER)
-CUBE = record(pose=POSE, size=VECTOR3, color=COLOUR)
-ENTITY = record(
-    timestamp=TIME, frame_id=STRING, id=STRING, lifetime=DURATION, frame_locked={"type": "boolean"}, cubes=list_of(CUBE)
-)
-TRANSFORM = record(
-    timestamp=TIME, parent_frame_id=STRING, child_frame_id=STRING, translation=VECTOR3, rotation=QUATERNION
-)
-
-SCHEMAS: dict[str, Schema] = {
-    "foxglove.PointCloud": record(
-        timestamp=TIME, frame_id=STRING, pose=POSE, point_stride=INTEGER, fields=list_of(FIELD), data=BYTES
-    )
-    | {"title": "foxglove.PointCloud"},
-    "foxglove.FrameTransforms": record(transforms=list_of(TRANSFORM)) | {"title": "foxglove.FrameTransforms"},
-    "foxglove.SceneUpdate": record(deletions=list_of(record()), entities=list_of(ENTITY))
-    | {"title": "foxglove.SceneUpdate"},
-}
-"""By the names under which viewers know them."""
-
-
 def time_of(stamp_ns: int) -> dict[str, int]:
     """Nanoseconds as seconds and nanoseconds."""
     sec, nsec = divmod(stamp_ns, 1_000_000_000)
-    return {"sec": sec, "nsec": nsec}
+    return {"seconds": sec, "nanos": nsec}
 
 
 def xyz(values: tuple[float, ...]) -> dict[str, float]:
@@ -124,7 +82,7 @@ def point_cloud(points: np.ndarray, stamp_ns: int, frame_id: str) -> dict[str, A
         "pose": {"position": xyz((0.0, 0.0, 0.0)), "orientation": xyz((0.0, 0.0, 0.0, 1.0))},
         "point_stride": 12,
         "fields": [{"name": name, "offset": 4 * i, "type": FLOAT32} for i, name in enumerate("xyz")],
-        "data": base64.b64encode(points.astype("<f4").tobytes()).decode(),
+        "data": points.astype("<f4").tobytes(),
     }
 
 
@@ -160,4 +118,4 @@ def boxes(result: Result) -> dict[str, Any]:
         "frame_locked": False,
         "cubes": [cube(part) for part in result.parts],
     }
-    return {"deletions": [], "entities": [entity]}
+    return {"entities": [entity]}

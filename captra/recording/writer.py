@@ -12,7 +12,8 @@ import orjson
 from mcap.writer import CompressionType, Writer
 
 from captra.geometry import Pose
-from captra.recording.foxglove import SCHEMAS, Result, boxes, point_cloud, transforms
+from captra.recording.foxglove import Result, boxes, point_cloud, transforms
+from captra.recording.protobuf import encode, schema
 
 SESSION, FRAME, RESULT, EVENT, RESET = "captra.Session", "captra.Frame", "captra.Result", "captra.Event", "captra.Reset"
 """Messages of our own, as JSON: what a replay needs."""
@@ -21,6 +22,8 @@ TRUTH = "captra.Truth"
 CLOUD_TOPIC = "/cloud"
 PAYLOAD_ON = "payload_on"
 """Says that a frame's payload is the message before it on this topic."""
+POINTS, TRANSFORMS, BOXES = "foxglove.PointCloud", "foxglove.FrameTransforms", "foxglove.SceneUpdate"
+"""Foxglove's messages, as protobuf: what viewers show."""
 TOPICS = {
     SESSION: "/captra/session",
     FRAME: "/captra/frames",
@@ -28,13 +31,13 @@ TOPICS = {
     EVENT: "/captra/events",
     RESET: "/captra/resets",
     TRUTH: "/captra/truth",
-    "foxglove.PointCloud": CLOUD_TOPIC,
-    "foxglove.FrameTransforms": "/tf",
-    "foxglove.SceneUpdate": "/boxes",
+    POINTS: CLOUD_TOPIC,
+    TRANSFORMS: "/tf",
+    BOXES: "/boxes",
 }
 DEFAULT_FRAME_ID = "camera"
 """What the service calls the frame of a session that names none."""
-ANY_OBJECT = {"type": "object"}
+ANY_OBJECT = b'{"type": "object"}'
 POINT_CLOUD2 = "sensor_msgs/msg/PointCloud2"
 """Written as it came: viewers know it."""
 
@@ -51,8 +54,10 @@ class SessionWriter:
         self._writer.start(profile="", library="captra")
         self._channels: dict[str, int] = {}
         for name, topic in TOPICS.items():
-            schema = orjson.dumps(SCHEMAS.get(name, ANY_OBJECT))
-            self._declare(name, "jsonschema", schema, topic, "json")
+            if name.startswith("captra."):
+                self._declare(name, "jsonschema", ANY_OBJECT, topic, "json")
+            else:
+                self._declare(name, "protobuf", schema(), topic, "protobuf")
         self._lock = threading.Lock()
         self._closed = False
         self._frame_id = DEFAULT_FRAME_ID
@@ -81,15 +86,15 @@ class SessionWriter:
                 viewed = [(POINT_CLOUD2, shown)]
             case np.ndarray():
                 cloud = point_cloud(shown, stamp_ns, self._frame_id)
-                viewed = [("foxglove.PointCloud", orjson.dumps(cloud))]
+                viewed = [(POINTS, encode(POINTS, cloud))]
         self._write((FRAME, orjson.dumps(body | {"payload": base64.b64encode(payload).decode()})), *viewed)
 
     def result(self, payload: bytes, result: Result) -> None:
         """A result as it came, byte for byte."""
         self._write(
             (RESULT, payload),
-            ("foxglove.FrameTransforms", orjson.dumps(transforms(result))),
-            ("foxglove.SceneUpdate", orjson.dumps(boxes(result))),
+            (TRANSFORMS, encode(TRANSFORMS, transforms(result))),
+            (BOXES, encode(BOXES, boxes(result))),
         )
 
     def event(self, payload: bytes) -> None:

@@ -1,14 +1,16 @@
 """A session is recorded, opens in viewers' terms, and replays to the last digit."""
 
-import base64
-import json
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from google.protobuf.descriptor_pb2 import FileDescriptorSet
+from google.protobuf.descriptor_pool import DescriptorPool
+from google.protobuf.message_factory import GetMessageClass
 from mcap.reader import make_reader
+from mcap.records import Schema
 
 from captra.data.recordings import RecordingError
 from captra.recording.reader import messages
@@ -55,22 +57,36 @@ def test_command_replays_a_file(url: str, recorded: Path, capsys: pytest.Capture
     assert f"{FRAMES} frames replayed, {FRAMES} with the same pose" in " ".join(capsys.readouterr().out.split())
 
 
+def by_its_schema(schema: Schema, data: bytes) -> Any:
+    """A message as a reader that knows nothing but the file reads it."""
+    pool = DescriptorPool()
+    files = {each.name: each for each in FileDescriptorSet.FromString(schema.data).file}
+    for name in sorted(files, key=lambda name: len(files[name].dependency)):
+        pool.Add(files[name])
+    return GetMessageClass(pool.FindMessageTypeByName(schema.name)).FromString(data)
+
+
 def test_file_is_what_foxglove_and_rerun_know(recorded: Path) -> None:
-    found: dict[str, list[dict[str, Any]]] = {}
+    found: dict[str, list[Any]] = {}
     with recorded.open("rb") as file:
         for schema, channel, message in make_reader(file, validate_crcs=True).iter_messages():
             assert schema is not None
-            assert (schema.encoding, channel.message_encoding) == ("jsonschema", "json")
-            found.setdefault(schema.name, []).append(json.loads(message.data))
+            if schema.name.startswith("captra."):
+                assert (schema.encoding, channel.message_encoding) == ("jsonschema", "json")
+                continue
+            assert (schema.encoding, channel.message_encoding) == ("protobuf", "protobuf"), "Rerun shows no JSON"
+            found.setdefault(schema.name, []).append(by_its_schema(schema, message.data))
     assert len(found["foxglove.PointCloud"]) == FRAMES
     cloud = found["foxglove.PointCloud"][0]
-    assert cloud["frame_id"] == "camera"
-    points = np.frombuffer(base64.b64decode(cloud["data"]), "<f4").reshape(-1, 3)
+    assert cloud.frame_id == "camera"
+    points = np.frombuffer(cloud.data, "<f4").reshape(-1, 3)
     np.testing.assert_array_equal(points, drifting_mug().clouds[0])
-    (transform,) = found["foxglove.FrameTransforms"][0]["transforms"]
-    assert (transform["parent_frame_id"], transform["child_frame_id"]) == ("camera", "mug")
-    (entity,) = found["foxglove.SceneUpdate"][0]["entities"]
-    assert entity["cubes"][0]["pose"]["position"] == transform["translation"]
+    (transform,) = found["foxglove.FrameTransforms"][0].transforms
+    assert (transform.parent_frame_id, transform.child_frame_id) == ("camera", "mug")
+    assert transform.timestamp.ToNanoseconds() == cloud.timestamp.ToNanoseconds()
+    (entity,) = found["foxglove.SceneUpdate"][0].entities
+    position, translation = entity.cubes[0].pose.position, transform.translation
+    assert position.SerializeToString() == translation.SerializeToString()
 
 
 def test_other_files_are_refused(url: str, tmp_path: Path) -> None:

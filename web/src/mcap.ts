@@ -1,10 +1,14 @@
 // Reads recordings of sessions (MCAP), as the service, its clients and `captra record` write them.
+import { BinaryReader } from "@bufbuild/protobuf/wire";
 import { McapStreamReader } from "@mcap/core";
 import { decompress } from "lz4js";
 import { Matrix3, Matrix4, Quaternion } from "three";
 import { pointsOf } from "./point_cloud2";
 import type { Frame, Recording } from "./recording";
 import type { Part, Vec3, Vec4 } from "./types";
+
+const POINTS_FIELD = 6; // "data" of foxglove.PointCloud
+const BRACE = 0x7b; // older files have it as JSON
 
 type Rotation = { quat_xyzw: Vec4 } | { matrix: number[][] };
 interface Body {
@@ -33,7 +37,7 @@ export function readMcap(name: string, file: ArrayBuffer): Recording {
         reset = null;
         break;
       case "foxglove.PointCloud":
-        points ??= new Float32Array(bytesOf(json<{ data: string }>(data).data).buffer);
+        if (data[0] !== BRACE) points ??= new Float32Array(bytesIn(data, POINTS_FIELD).slice().buffer);
         break;
       case "sensor_msgs/msg/PointCloud2":
         message = data.slice();
@@ -74,6 +78,17 @@ function frameOf(data: Uint8Array, message: Uint8Array<ArrayBuffer>, reset: Part
     region: mask === undefined ? null : bytesOf(mask),
     reset,
   };
+}
+
+// A field of a message of protobuf.
+function bytesIn(message: Uint8Array, wanted: number): Uint8Array {
+  const reader = new BinaryReader(message);
+  while (reader.pos < reader.len) {
+    const [field, type] = reader.tag();
+    if (field === wanted) return reader.bytes();
+    reader.skip(type);
+  }
+  return new Uint8Array();
 }
 
 const json = <T = Body>(data: Uint8Array): T => JSON.parse(new TextDecoder().decode(data));
