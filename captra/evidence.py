@@ -19,7 +19,7 @@ class PartEvidence:
     centroid: Float64[np.ndarray, "3"]
     """Their mean, metres, in the frame of the cloud; the part's centre for a part that could not be fitted."""
     explained: Float64[np.ndarray, "explained 3"]
-    """Those of them that agree with the fit, metres, in the frame of the cloud."""
+    """Those of them that agree with the fit, metres, in the frame of the cloud; none of a part that keeps its pose."""
     residual: float
     """RMS distance between fitted coordinates and points, in units of the scale."""
     inliers: float
@@ -93,6 +93,19 @@ class Evidence:
         """The same for a look that was not expected to find the object just where it looked."""
         parts = (replace(part, rotation_jump_rad=0.0, translation_jump=0.0, scale_jump=0.0) for part in self.parts)
         return replace(self, parts=tuple(parts))
+
+    def keeping(self, kept: Bool[np.ndarray, " parts"]) -> "Evidence":
+        """The same where some parts keep their last pose, whatever was found."""
+        nothing = np.zeros((0, 3))
+        parts = (
+            replace(part, explained=nothing) if keep else part for part, keep in zip(self.parts, kept, strict=True)
+        )
+        return replace(self, parts=tuple(parts))
+
+    @property
+    def fitted(self) -> Bool[np.ndarray, " parts"]:
+        """Which parts have a pose that explains points of this frame."""
+        return np.array([len(part.explained) > 0 for part in self.parts])
 
     @property
     def centroid(self) -> Float64[np.ndarray, "parts 3"]:

@@ -119,7 +119,7 @@ def look(
     inferred = perf_counter()
     allowed = projection or networks.joint_projection
     pose, evidence = solve(crop.points, prediction, around, category, networks.rotation_fusion, allowed)
-    pose = reject_leaps(pose, around)
+    pose, evidence = reject_leaps(pose, evidence, around)
     evidence = replace(evidence, distinct_points=1 + int(np.count_nonzero(np.diff(np.sort(crop.indices)))))
     timing = StepTiming(*(1e3 * d for d in (sampled - started, inferred - sampled, perf_counter() - inferred)))
     return Sighting(around, pose, evidence, timing)

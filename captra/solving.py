@@ -188,17 +188,18 @@ def fit_part(
     return translation, scale, size, evidence
 
 
-def reject_leaps(pose: Pose, last: Pose) -> Pose:
+def reject_leaps(pose: Pose, evidence: Evidence, last: Pose) -> tuple[Pose, Evidence]:
     """Keep parts that grew, shrank or moved beyond belief where they were: one bad frame cannot throw a track away."""
     growth = np.abs(np.log(pose.scale / last.scale))
     leap = np.linalg.norm(pose.translation - last.translation, axis=-1) / last.scale
     kept = (growth > np.log(LARGEST_GROWTH)) | (leap > LARGEST_LEAP)
-    return Pose(
+    held = Pose(
         rotation=np.where(kept[:, None, None], last.rotation, pose.rotation),
         translation=np.where(kept[:, None], last.translation, pose.translation),
         scale=np.where(kept, last.scale, pose.scale),
         size=np.where(kept[:, None], last.size, pose.size),
     )
+    return held, evidence.keeping(kept)
 
 
 def hold_gauge(pose: Pose, last: Pose, category: Category) -> Pose:

@@ -16,6 +16,7 @@ from captra.looking import Networks, Sighting, StepTiming, look
 from captra.motion import STANDING_STILL, MotionModel
 from captra.observations import Observation, PointCloud
 from captra.output_filter import UNFILTERED, OutputFilter
+from captra.pose_memory import USUAL_ERROR, FoundError, PoseMemory
 from captra.recovery import NO_SEARCH, Search, SearchBudget
 from captra.sampling import NoPointsError
 from captra.segmentation import NOTHING_KNOWN, Segmentation
@@ -55,6 +56,8 @@ class TrackerOptions:
     """Smooths what is published; never fed back."""
     given_size_error: float = GIVEN_ERROR
     """Standard deviation of the logarithm of the size of a given pose; at 0 it is taken for known."""
+    found_error: FoundError = USUAL_ERROR
+    """Of poses as networks find them: the larger, the more of the difference to the given pose is remembered."""
 
 
 class Tracker:
@@ -103,6 +106,7 @@ class Tracker:
         self._pose = pose
         self._given = True  # and rough: the first look may well find the object elsewhere
         self._size = SizeMemory.of(pose, self._options.given_size_error)
+        self._memory = PoseMemory.nothing_known(pose.num_parts)
         self._health = self._health.restarted()
         self._motion = self._options.motion.restarted(pose)
         self._search = Search(pose)
@@ -136,7 +140,7 @@ class Tracker:
         around = self._search.hypotheses(self._motion.expected(time_s), self._health.state, self._looks)
         best = self._choose(self._look(observation, segmentation, around))
         self._health = self._health.updated(self._health.confidence_of(best.evidence))
-        self._pose, self._given = self._sized(best), False
+        self._pose, self._given = self._placed(best), False
         self._motion = self._motion.observed(self._pose, time_s, trusted=self._health.trusted)
         self._search = self._search.updated(self._pose, self._health.state, self._looks)
         published, self._filter = self._filter.filtered(self._published(), time_s)
@@ -171,12 +175,16 @@ class Tracker:
         evidence = best.evidence.without_jumps() if self._given else best.evidence
         return replace(best, evidence=evidence, timing=StepTiming.sum(sighting.timing for sighting in sightings))
 
-    def _sized(self, found: Sighting) -> Pose:
-        """What was found, in the gauge and at the size that the track remembers, around the points."""
+    def _placed(self, found: Sighting) -> Pose:
+        """What was found, in the gauge, at the size and with the offset that the track remembers, around the points."""
         pose = hold_gauge(found.pose, self._pose, self._category)
-        if self._health.state in (State.TRACKING, State.UNCERTAIN):
+        credible = self._health.state in (State.TRACKING, State.UNCERTAIN)
+        if credible:
             self._size = self._size.updated(pose)
-        return contained(self._size.apply(pose, found.evidence.centroid), found.evidence)
+        pose = contained(self._size.apply(pose, found.evidence.centroid), found.evidence)
+        if credible and self._given:
+            self._memory = PoseMemory.between(self._pose, pose, self._category, self._options.found_error)
+        return self._memory.apply(pose, found.evidence.fitted)
 
     def _published(self) -> Pose:
         """The last pose, or the last trusted one as long as a search has found nothing better.

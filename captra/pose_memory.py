@@ -1,0 +1,87 @@
+"""What the given pose tells that networks cannot see.
+
+How far a cabinet reaches behind its front is not seen, nor how much the temples of folded glasses splay; networks are
+off there, and in the same way frame after frame. Whoever gave the first pose knew, within an error of their own: a part
+of the difference is worth remembering.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from jaxtyping import Bool, Float64
+
+from captra.categories import Category
+from captra.geometry import Pose, rotation_from_vector, rotation_vector
+
+
+@dataclass(frozen=True)
+class FoundError:
+    """By how much networks err on one object however often they look: standard deviations along or about each axis."""
+
+    centre: float = 0.02
+    """In units of the scale."""
+    rotation_deg: float = 1.5
+    """Degrees."""
+
+
+NO_ERROR = FoundError(0.0, 0.0)
+"""Of networks that are taken at their word."""
+
+USUAL_ERROR = FoundError()
+"""Of networks as they are: chosen on validation sequences of several categories."""
+
+
+@dataclass(frozen=True)
+class PoseMemory:
+    """Where parts are, as against where they are found."""
+
+    offset_part: Float64[np.ndarray, "parts 3"]
+    """From the centre as found to the true one, metres, in each part's own frame as found."""
+    turn_part: Float64[np.ndarray, "parts 3"]
+    """From the rotation as found to the true one: rotation vectors, radians, likewise."""
+
+    @staticmethod
+    def nothing_known(num_parts: int) -> "PoseMemory":
+        """Parts are where they are found."""
+        return PoseMemory(np.zeros((num_parts, 3)), np.zeros((num_parts, 3)))
+
+    @staticmethod
+    def between(given: Pose, found: Pose, category: Category, error: FoundError = USUAL_ERROR) -> "PoseMemory":
+        """From a given pose and where the networks find the object at the same time.
+
+        Both count by the inverse of their variance: that of given poses is the one that the category's networks were
+        trained for (paper, Sec. "Implementation details").
+        """
+        to_part = np.swapaxes(found.rotation, -1, -2)
+        offset = (to_part @ (given.translation - found.translation)[..., None])[..., 0]
+        turn = rotation_vector(to_part @ given.rotation)
+        usual = category.perturbation
+        offset_share = _share(offset, error.centre * given.scale[:, None], usual.translation_m)
+        turn_share = _share(turn, np.radians(error.rotation_deg), np.radians(usual.rotation_deg))
+        return PoseMemory(offset_share * offset, turn_share * turn)
+
+    def apply(self, found: Pose, fitted: Bool[np.ndarray, " parts"]) -> Pose:
+        """The pose with its parts where they are believed to be; those that were not fitted stay."""
+        offset = (found.rotation @ self.offset_part[..., None])[..., 0]
+        turned = found.rotation @ rotation_from_vector(self.turn_part)
+        return replace(
+            found,
+            rotation=np.where(fitted[:, None, None], turned, found.rotation),
+            translation=np.where(fitted[:, None], found.translation + offset, found.translation),
+        )
+
+
+def _share(
+    difference: Float64[np.ndarray, "parts 3"], found_error: Float64[np.ndarray, "parts 1"] | float, given_error: float
+) -> Float64[np.ndarray, "parts 1"]:
+    """How much of a difference to put down to the networks; one that is too large for both is the given pose's fault.
+
+    Args:
+        difference: along or about each axis.
+        found_error: standard deviation along one axis of what networks find.
+        given_error: standard deviation of the length of the error of a given pose.
+    """
+    found_variance, usual_variance = np.square(found_error), given_error**2 / 3
+    expected = 3 * (found_variance + usual_variance)
+    given_variance = usual_variance * (1 + np.square(difference).sum(axis=1, keepdims=True) / (4 * expected))
+    return np.asarray(found_variance / (found_variance + given_variance))

@@ -1,0 +1,111 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from captra.categories import Category, get_category
+from captra.geometry import Pose, axis_angle
+from captra.metrics import rotation_error_deg
+from captra.pose_memory import NO_ERROR, PoseMemory
+from captra.tracker import Tracker
+from tests.oracle import OracleNetworks, scene
+
+DRAWERS, MUG = get_category("drawers"), get_category("mug")
+
+
+def pose(parts: int, size_m: float, seed: int = 0) -> Pose:
+    rng = np.random.default_rng(seed)
+    rotation = axis_angle(rng.standard_normal((parts, 3)), rng.uniform(0, 3, parts))
+    return Pose.from_size(rotation, rng.uniform(-1, 1, (parts, 3)), np.full((parts, 3), size_m))
+
+
+def off_by(true: Pose, offset_part: np.ndarray) -> Pose:
+    return replace(true, translation=true.translation + np.einsum("pij,j->pi", true.rotation, offset_part))
+
+
+def moved(before: Pose) -> Pose:
+    turn = axis_angle(np.array([1.0, 2.0, 3.0]), 0.8)
+    return replace(before, rotation=turn @ before.rotation, translation=before.translation @ turn.T + [0.1, 0.2, 0.3])
+
+
+@given(st.integers(0, 9))
+def test_what_networks_cannot_see_of_a_cabinet_is_taken_from_the_given_pose_wherever_it_goes(seed: int) -> None:
+    true = pose(4, 0.8, seed)
+    found = off_by(true, np.array([0.0, 0.0, -0.03]))
+    memory = PoseMemory.between(true, found, DRAWERS)
+    for where, there in ((true, found), (moved(true), moved(found))):
+        left = np.linalg.norm(memory.apply(there, np.ones(4, bool)).translation - where.translation, axis=1)
+        assert (left < 0.01).all()
+
+
+def test_of_a_small_object_networks_know_the_centre_better_than_people() -> None:
+    found = pose(1, 0.08)
+    rough = off_by(found, np.array([0.02, -0.01, 0.02]))
+    offset = PoseMemory.between(rough, found, MUG).offset_part
+    assert np.abs(offset).max() < 0.001
+
+
+def test_a_given_pose_that_is_far_off_is_doubted() -> None:
+    found = pose(4, 0.8)
+    offsets = [
+        PoseMemory.between(off_by(found, np.array([far, 0.0, 0.0])), found, DRAWERS).offset_part[0, 0] / far
+        for far in (0.02, 0.1, 0.5)
+    ]
+    assert offsets[0] > 0.7
+    assert offsets[0] > offsets[1] > offsets[2]
+    assert offsets[2] < 0.25
+
+
+@given(st.integers(0, 9), st.sampled_from([DRAWERS, MUG]))
+def test_a_turn_that_networks_are_off_by_all_the_time_is_taken_back_in_part(seed: int, category: Category) -> None:
+    true = pose(category.num_parts, 0.1, seed)
+    off = axis_angle(np.array([0.0, 1.0, 0.0]), np.radians(6.0))
+    found = replace(true, rotation=true.rotation @ off)
+    memory, every = PoseMemory.between(true, found, category), np.ones(category.num_parts, bool)
+    for where, there in ((true, found), (moved(true), moved(found))):
+        left = rotation_error_deg(memory.apply(there, every).rotation, where.rotation, symmetric=False)
+        assert (left < 5.3).all()
+        assert (left > 2.0).all()
+
+
+def test_a_first_pose_that_is_turned_by_far_is_forgotten() -> None:
+    found = pose(1, 0.1)
+    wrong = replace(found, rotation=found.rotation @ axis_angle(np.array([1.0, 0.0, 0.0]), np.radians(50.0)))
+    turn = PoseMemory.between(wrong, found, MUG).turn_part
+    assert np.degrees(np.linalg.norm(turn)) < 2
+
+
+def test_networks_may_be_taken_at_their_word() -> None:
+    found, given_pose = pose(4, 0.8), pose(4, 0.8, 1)
+    memory = PoseMemory.between(given_pose, found, DRAWERS, NO_ERROR)
+    for nothing in (memory, PoseMemory.nothing_known(4)):
+        np.testing.assert_allclose(nothing.apply(found, np.ones(4, bool)).rotation, found.rotation)
+        np.testing.assert_allclose(nothing.apply(found, np.ones(4, bool)).translation, found.translation)
+
+
+def test_parts_that_were_not_fitted_stay() -> None:
+    found, fitted = pose(4, 0.8), np.array([True, False, True, False])
+    after = PoseMemory(np.full((4, 3), 0.01), np.full((4, 3), 0.1)).apply(found, fitted)
+    for now, before in ((after.translation, found.translation), (after.rotation, found.rotation)):
+        np.testing.assert_array_equal(now[~fitted], before[~fitted])
+        assert np.abs(now[fitted] - before[fitted]).reshape(2, -1).max(axis=1).min() > 1e-3
+
+
+@pytest.mark.parametrize("again", [False, True])
+def test_a_track_remembers_the_given_centre_until_it_is_given_another(again: bool) -> None:
+    rng = np.random.default_rng(1)
+    category, small, cloud = scene("drawers", rng)
+    truth = Pose(small.rotation, 8 * small.translation, 8 * small.scale, 8 * small.size)
+    given_pose = off_by(truth, np.array([0.0, 0.0, 0.02]))
+    networks = OracleNetworks(category, truth, given_pose)
+    tracker = Tracker(networks, given_pose)
+    if again:
+        tracker.step(8 * cloud)
+        tracker.reset(truth)
+    for _ in range(5):
+        networks.last = tracker.pose
+        found = tracker.step(8 * cloud).pose
+    error = np.einsum("pji,pj->pi", truth.rotation, found.translation - truth.translation)
+    np.testing.assert_allclose(error[:, 2], 0.0 if again else 0.015, atol=0.005)
