@@ -37,6 +37,13 @@ def at_centroid(service: "FakeService", seq: int, points: Float32[np.ndarray, "p
     }
 
 
+def numbers_of(sample: zenoh.Sample) -> tuple[int, int]:
+    """Number and stamp of a cloud."""
+    assert sample.attachment is not None
+    seq, stamp_ns = struct.unpack("<Qq", sample.attachment.to_bytes())
+    return seq, stamp_ns
+
+
 @dataclass
 class FakeService:
     """One session; `answer` says what comes of a cloud: members of a result, of an event (with `kind`), or nothing."""
@@ -48,6 +55,10 @@ class FakeService:
     token_gone: threading.Event = field(default_factory=threading.Event)
     closed: threading.Event = field(default_factory=threading.Event)
     session_id: str = "s1"
+    newest: zenoh.Sample | None = None
+    arrived_seq: int = -1
+    stopped: bool = False
+    changed: threading.Condition = field(default_factory=threading.Condition)
 
     @property
     def url(self) -> str:
@@ -65,11 +76,9 @@ class FakeService:
             self.zenoh = resources.enter_context(open_router(self.endpoint))
             self.pose = resources.enter_context(self.zenoh.declare_publisher(f"{self.stem}/pose"))
             self.event = resources.enter_context(self.zenoh.declare_publisher(f"{self.stem}/event"))
-            clouds = resources.enter_context(
-                self.zenoh.declare_subscriber(f"{self.stem}/cloud", zenoh.handlers.RingChannel(1))
-            )
+            resources.enter_context(self.zenoh.declare_subscriber(f"{self.stem}/cloud", self.take_cloud))
             resources.enter_context(self.zenoh.liveliness().declare_subscriber(f"{self.stem}/client", self.take_token))
-            self.worker = threading.Thread(target=self.work, args=(clouds,), daemon=True)
+            self.worker = threading.Thread(target=self.work, daemon=True)
             self.server = threading.Thread(target=self.http.serve_forever, args=(0.01,), daemon=True)
             self.worker.start()
             self.server.start()
@@ -78,18 +87,47 @@ class FakeService:
 
     def __exit__(self, *exception: object) -> None:
         self.http.shutdown()
+        with self.changed:
+            self.stopped = True
+            self.changed.notify_all()
         self.resources.close()
         self.worker.join(5)
 
     def take_token(self, sample: zenoh.Sample) -> None:
         (self.token_seen if sample.kind == zenoh.SampleKind.PUT else self.token_gone).set()
 
-    def work(self, clouds: zenoh.Subscriber[zenoh.handlers.Handler[zenoh.Sample]]) -> None:
-        for sample in clouds:
-            assert sample.attachment is not None
-            seq, stamp_ns = struct.unpack("<Qq", sample.attachment.to_bytes())
+    def take_cloud(self, sample: zenoh.Sample) -> None:
+        """The newest replaces one that waits, as in the service."""
+        with self.changed:
+            self.newest = sample
+            self.arrived_seq, _ = numbers_of(sample)
+            self.changed.notify_all()
+
+    def wait_for_cloud(self, seq: int, timeout_s: float = 20) -> None:
+        """Wait until this cloud has arrived, whether it is ever taken up or not."""
+        with self.changed:
+            assert self.changed.wait_for(lambda: self.arrived_seq >= seq, timeout_s), f"cloud {seq} did not arrive"
+
+    def wait_until_taken(self, seq: int, timeout_s: float = 20) -> None:
+        """Wait until this cloud, or a later one, is in hand: none that comes now replaces it."""
+        with self.changed:
+            taken = self.changed.wait_for(lambda: bool(self.clouds) and self.clouds[-1][0] >= seq, timeout_s)
+            assert taken, f"cloud {seq} was not taken"
+
+    def next_cloud(self) -> zenoh.Sample | None:
+        """The cloud that waits, as soon as there is one; None at the end."""
+        with self.changed:
+            self.changed.wait_for(lambda: self.stopped or self.newest is not None)
+            sample, self.newest = self.newest, None
+            return None if self.stopped else sample
+
+    def work(self) -> None:
+        while (sample := self.next_cloud()) is not None:
+            seq, stamp_ns = numbers_of(sample)
             points = DECODERS[str(sample.encoding)](sample.payload.to_bytes())
-            self.clouds.append((seq, stamp_ns, points))
+            with self.changed:
+                self.clouds.append((seq, stamp_ns, points))
+                self.changed.notify_all()
             self.tell(self.answer(self, seq, points), seq=seq, stamp_ns=stamp_ns)
 
     def tell(self, members: dict[str, Any] | None, **frame: int) -> None:

@@ -1,11 +1,12 @@
 """kill -9 in mid-stream: the next process goes on with every session, and clients notice nothing but a gap."""
 
+import itertools
 import json
 import logging
 import threading
 import time
 from collections.abc import Iterator
-from contextlib import ExitStack
+from contextlib import ExitStack, closing
 from pathlib import Path
 
 import httpx
@@ -136,10 +137,16 @@ def test_options_that_the_client_asked_for_outlive_a_killed_service(tmp_path: Pa
         assert np.ptp(jitter[8:]) < 0.004, "the next process smooths as the first one was asked to"
 
 
+def goes_on(session: Session) -> Result:
+    """The first result of a camera that keeps delivering: what is put before the client is connected again is lost."""
+    still = itertools.repeat(blob())
+    with closing(session.track(still, rate_hz=20, timeout_s=20)) as results:
+        return next(results)
+
+
 def fed(session: Session) -> list[Result]:
     """Results of an object that trembles by 8 mm, once the client is connected again."""
-    session.put(blob())
-    next_result(session, 0)
+    goes_on(session)
     trembling = [blob((0.004 * (-1) ** i, 0, 0.5)) for i in range(20)]
     return list(session.track([Frame(cloud, 33_000_000 * (i + 1)) for i, cloud in enumerate(trembling)]))
 
