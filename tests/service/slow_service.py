@@ -1,4 +1,6 @@
-"""A service process whose networks take their time, FRAME_S seconds a frame; run as a process by tests.
+"""A service process whose networks take their time; run as a process by tests.
+
+A frame takes FRAME_S seconds, and beyond that until the file GATE is there, if one is named.
 
 Says `asked` on standard output when a frame is in hand, and at its end which of some modules are loaded.
 """
@@ -7,6 +9,7 @@ import os
 import sys
 import time
 from collections.abc import Sequence
+from pathlib import Path
 
 from jaxtyping import Float32
 from numpy import ndarray
@@ -20,6 +23,7 @@ from service.tracking_service import TrackingService
 from tests.service.support import CentreNetworks, CentreProvider
 
 FRAME_S = float(os.environ.get("FRAME_S", "0.5"))
+GATE = os.environ.get("GATE")
 HANGS = "laptop"
 """A category whose frames never end."""
 
@@ -30,6 +34,8 @@ class SlowNetworks(CentreNetworks):
     ) -> Float32[ndarray, "parts points width"]:
         print("asked", flush=True)  # noqa: T201
         time.sleep(3600 if self.category.name == HANGS else FRAME_S)
+        while GATE is not None and not Path(GATE).exists():
+            time.sleep(0.02)
         return super().rotations(points_canonical, neighborhoods)
 
 

@@ -36,6 +36,18 @@ class Slow:
     def wait_until_asked(self) -> None:
         assert stream(self.process.stdout).readline() == "asked\n"
 
+    def wait_until_not_ready(self) -> httpx.Response:
+        """The readiness probe's first answer after the signal has reached the process."""
+        deadline = time.monotonic() + 20
+        while (answer := self.http.get("/v1/health/ready")).status_code == 200:
+            assert time.monotonic() < deadline, "the probe never heard of the end"
+            time.sleep(0.02)
+        return answer
+
+    def finish_frames(self) -> None:
+        """Let the frame in hand come to its end."""
+        (self.state_dir / "gate").touch()
+
     def trusted(self, session_id: str) -> TrustedPose:
         """What the store holds of a session after the process is gone."""
         store = SqliteSessionStore(self.state_dir / "default.sqlite")
@@ -61,7 +73,7 @@ def slow_service(state_dir: Path, **variables: str) -> Iterator[Slow]:
 
 @pytest.fixture
 def service(tmp_path: Path) -> Iterator[Slow]:
-    with slow_service(tmp_path, FRAME_S="1.0", CAPTRA_SHUTDOWN_TIMEOUT_S="3") as started:
+    with slow_service(tmp_path, FRAME_S="0", GATE=str(tmp_path / "gate"), CAPTRA_SHUTDOWN_TIMEOUT_S="60") as started:
         yield started
 
 
@@ -71,13 +83,13 @@ def test_probes_hear_of_the_end_while_the_frame_in_hand_is_finished_and_stored(s
     Camera(service.network, opened["zenoh"]["cloud"]).put(f32(blob((0.02, 0, 0.5))), 7)
     service.wait_until_asked()
     service.process.send_signal(signal.SIGTERM)
-    time.sleep(0.2)
-    assert len(poses) == 0  # the frame is in hand
-    answer = service.http.get("/v1/health/ready")
+    answer = service.wait_until_not_ready()
     assert (answer.status_code, answer.json()["reason"]) == (503, "not-ready")
     assert service.http.get("/v1/health/live").status_code == 200
     refused = service.http.post("/v1/sessions", json=session_body())
     assert (refused.status_code, refused.json()["reason"]) == (503, "not-ready")
+    assert len(poses) == 0  # the frame is in hand
+    service.finish_frames()
     assert poses.message(0)["seq"] == 7
     assert service.process.wait(20) == 0
     trusted = service.trusted(opened["session_id"])
@@ -91,8 +103,9 @@ def test_probes_hear_of_the_end_while_a_frame_by_http_is_finished(service: Slow)
         answer = pool.submit(post_frame, service, session_id, 3)
         service.wait_until_asked()
         service.process.send_signal(signal.SIGTERM)
-        time.sleep(0.2)
-        assert service.http.get("/v1/health/ready").status_code == 503
+        assert service.wait_until_not_ready().status_code == 503
+        assert not answer.done()
+        service.finish_frames()
         assert answer.result().json()["seq"] == 3
     assert service.process.wait(20) == 0
     assert service.trusted(session_id).seq == 3

@@ -80,7 +80,11 @@ def test_closed_and_expired_sessions_are_forgotten() -> None:
 
 
 def test_stopping_ends_quickly_while_clients_stream_and_listen() -> None:
-    with running("mug") as service, zenoh_client(service.endpoint) as network, ExitStack() as late_inboxes:
+    with (
+        running("mug", shutdown_timeout_s=60) as service,
+        zenoh_client(service.endpoint) as network,
+        ExitStack() as late_inboxes,
+    ):
         assert service.service.readiness.wait_prepared(30)
         opened = [service.open_session() for _ in range(3)]
         events = [inbox(network, each["zenoh"]["event"]) for each in opened]
@@ -102,7 +106,7 @@ def test_stopping_ends_quickly_while_clients_stream_and_listen() -> None:
                     inbox(network, each["zenoh"]["pose"]).message(5)
                 started_s = time.monotonic()
                 service.service.stop()
-                assert time.monotonic() - started_s < 3
+                assert time.monotonic() - started_s < 20  # what hangs is waited for three times as long
                 assert not [thread for thread in threading.enumerate() if thread.name.startswith("captra-stream")]
                 assert [inbox.wait_for("closing")["reason"] for inbox in events] == ["shutdown"] * 3
             finally:

@@ -10,9 +10,11 @@ AT_ONCE, THREADS, ROUNDS = 3, 12, 40
 def test_so_many_are_inside_at_once_and_everybody_gets_the_same_number_of_turns() -> None:
     turns, lock, stop = Turns(AT_ONCE), threading.Lock(), threading.Event()
     inside, most, taken = 0, 0, [0] * THREADS
+    started = threading.Barrier(THREADS)
 
     def work(number: int) -> None:
         nonlocal inside, most
+        started.wait(20)
         while not stop.is_set():
             with turns:
                 with lock:
