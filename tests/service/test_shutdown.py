@@ -67,7 +67,7 @@ def slow_service(state_dir: Path, **variables: str) -> Iterator[Slow]:
     with process("-m", "tests.service.slow_service", **variables) as service:
         url = entry(stream(service.stderr), "serving")["http"]
         entry(stream(service.stderr), "ready")
-        with httpx.Client(base_url=url, timeout=20) as http, zenoh_client(endpoint) as network:
+        with httpx.Client(base_url=url, timeout=60) as http, zenoh_client(endpoint) as network:
             yield Slow(service, http, network, state_dir)
 
 
