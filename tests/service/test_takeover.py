@@ -28,13 +28,14 @@ from tests.service.support import (
 def test_next_process_goes_on_under_the_same_id_and_keys_from_the_last_trusted_pose() -> None:
     store, endpoint = InMemorySessionStore(), free_endpoint()
     with running("mug", store=store, endpoint=endpoint) as first:
+        assert first.service.readiness.wait_prepared(60)  # or the first frame waits, past its time-out
         opened = first.open_session(frame_id="wrist", idle_timeout_s=77)
         for seq, x in enumerate((0.02, 0.04, 0.06)):
             assert first.post_frame(opened["session_id"], f32(blob((x, 0, 0.5))), seq).status_code == 200
         closed = first.open_session()["session_id"]
         first.http.delete(f"/v1/sessions/{closed}")
     with running("mug", store=store, endpoint=endpoint) as second, zenoh_client(endpoint) as network:
-        assert second.service.readiness.wait_prepared(30)
+        assert second.service.readiness.wait_prepared(60)
         shown = second.session(opened["session_id"])
         assert shown["zenoh"] == opened["zenoh"]
         assert (shown["frame_id"], shown["idle_timeout_s"]) == ("wrist", 77)
@@ -62,7 +63,7 @@ def test_session_whose_model_is_missing_stays_stored() -> None:
     with running("mug", store=store) as first:
         session_id = first.open_session()["session_id"]
     with running("bottle", store=store) as second:
-        assert second.service.readiness.wait_prepared(30)
+        assert second.service.readiness.wait_prepared(60)
         second.service.readiness.check()
         assert second.http.get(f"/v1/sessions/{session_id}").status_code == 404
     assert [record.session_id for record in store.load()] == [session_id]
@@ -85,7 +86,7 @@ def test_stopping_ends_quickly_while_clients_stream_and_listen() -> None:
         zenoh_client(service.endpoint) as network,
         ExitStack() as late_inboxes,
     ):
-        assert service.service.readiness.wait_prepared(30)
+        assert service.service.readiness.wait_prepared(60)
         opened = [service.open_session() for _ in range(3)]
         events = [inbox(network, each["zenoh"]["event"]) for each in opened]
         late = late_inboxes.enter_context(late_inbox(network, opened[0]["zenoh"]["pose"]))
