@@ -1,7 +1,5 @@
 """`captra record` hears sessions that others opened, over real sockets."""
 
-import base64
-import json
 import threading
 import time
 from contextlib import closing
@@ -24,6 +22,7 @@ from clients.replay import replay
 from clients.rest import RestApi
 from clients.session import open_session
 from tests.clients.sequences import FRAMES, drifting_mug
+from tests.clients.test_recording import by_its_schema
 
 
 class Listener:
@@ -117,9 +116,9 @@ def test_depth_images_are_shown_with_the_camera_of_their_session(url: str, tmp_p
     listener.join()
     path, seen = tmp_path / f"mug_{session.session_id}.mcap", []
     with path.open("rb") as file:
-        for _, _, message in make_reader(file).iter_messages(topics=["/cloud"]):
-            points = np.frombuffer(base64.b64decode(json.loads(message.data)["data"]), "<f4").reshape(-1, 3)
-            seen.append(points)
+        for schema, _, message in make_reader(file).iter_messages(topics=["/cloud"]):
+            assert schema is not None
+            seen.append(np.frombuffer(by_its_schema(schema, message.data).data, "<f4").reshape(-1, 3))
     assert [len(points) for points in seen] == [64, 64, 64]
     for points in seen:
         np.testing.assert_allclose(points.mean(axis=0), (0, 0, 0.5), atol=1e-6)

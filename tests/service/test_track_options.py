@@ -67,7 +67,7 @@ def test_joint_axes_keep_parts_on_their_joints(service: Running) -> None:
     turns = [
         service.post_frame(session_id, f32(blob()), 0).json()["parts"][1]["quat_xyzw"] for session_id in (free, held)
     ]
-    assert abs(turns[0][1]) > 0.04
+    assert abs(turns[0][1]) > 0.03  # sin 0.05, less what the given pose puts right
     assert abs(turns[1][1]) < 1e-6
 
 

@@ -75,9 +75,10 @@ def test_every_part_has_its_box_name_and_joint(page: Page, service: Running) -> 
     parts = service.session(session_id)["last_result"]["parts"]
     for drawn, part in zip(page.evaluate("captra.corners()"), parts, strict=True):
         np.testing.assert_allclose(drawn, project(page, corners_of(part)), atol=1.0)
-    assert_boxes_drawn(page, parts, GREEN)
     assert page.locator(".tag").all_inner_texts() == [part["name"] for part in parts]
     assert "°" in page.inner_text("#parts")
+    page.add_style_tag(content="#parts { visibility: hidden }")  # numbers lie over the view, and so over an edge
+    assert_boxes_drawn(page, parts, GREEN)
 
 
 def test_a_track_that_is_lost_turns_amber_and_red_and_is_re_initialised(page: Page, service: Running) -> None:
