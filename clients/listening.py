@@ -132,7 +132,7 @@ def listen_to(
         api: of the service.
         sessions: ids; none for all.
         folder: where files go.
-        tell: given a line for people whenever a file begins or ends.
+        tell: given a line for people whenever a file begins or ends, and where there is nothing to record yet.
         until_s: how long to listen at most, seconds.
 
     Raises:
@@ -147,6 +147,8 @@ def listen_to(
         for name in sessions or ["*"]:
             subscribe(session, f"{network['sessions']}/{name}", inbox)
         under_way = [state["session_id"] for state in api.sessions()]
+        if not (sessions or under_way):
+            tell("no session is open yet: waiting for one; Ctrl-C ends this")
         files = SessionFiles(api, folder, tell, under_way)
         resources.callback(files.close)
         for session_id in sessions or under_way:

@@ -32,6 +32,4 @@ def record(
 
     out.mkdir(parents=True, exist_ok=True)
     with errors_for_people(), closing(RestApi(url)) as api, suppress(KeyboardInterrupt):
-        if not (sessions or api.sessions()):
-            typer.echo("No session is open yet: waiting for one. Ctrl-C ends this.")
         listen_to(api, sessions or [], out, typer.echo, seconds)

@@ -34,16 +34,16 @@ class Listener:
         self._thread = threading.Thread(target=self._run, args=(url, folder, sessions))
         self._thread.start()
 
-    def wait_begun(self) -> None:
-        assert self._told.acquire(timeout=20), "no file was begun"
+    def wait_told(self) -> None:
+        assert self._told.acquire(timeout=20), "nothing was told"
 
     def join(self) -> None:
-        self._thread.join(20)
+        self._thread.join(30)
         assert not self._thread.is_alive()
 
     def _run(self, url: str, folder: Path, sessions: list[str]) -> None:
         with closing(RestApi(url)) as api:
-            listen_to(api, sessions, folder, self._tell, until_s=8)
+            listen_to(api, sessions, folder, self._tell, until_s=12)
 
     def _tell(self, line: str) -> None:
         self.lines.append(line)
@@ -54,7 +54,7 @@ def test_one_session_is_recorded_until_it_is_closed(url: str, tmp_path: Path) ->
     recording = drifting_mug()
     with open_session("mug", recording.init, url=url, frame_id="camera") as session:
         listener = Listener(url, tmp_path, [session.session_id])
-        listener.wait_begun()
+        listener.wait_told()
         list(session.track(frames(recording)))
         path = tmp_path / f"mug_{session.session_id}.mcap"
     listener.join()
@@ -71,9 +71,9 @@ def test_all_sessions_are_recorded_also_those_that_are_opened_later(url: str, tm
     recording = drifting_mug()
     with open_session("mug", recording.init, url=url) as first:
         listener = Listener(url, tmp_path, [])
-        listener.wait_begun()
+        listener.wait_told()
         with open_session("mug", recording.init, url=url) as second:
-            listener.wait_begun()
+            listener.wait_told()
             list(second.track(list(frames(recording))[:3]))
         list(first.track(list(frames(recording))[:2]))
     listener.join()
@@ -85,7 +85,7 @@ def test_all_sessions_are_recorded_also_those_that_are_opened_later(url: str, tm
 def test_a_session_that_is_opened_later_replays_to_the_last_digit(url: str, tmp_path: Path) -> None:
     recording = drifting_mug()
     listener = Listener(url, tmp_path, [])
-    time.sleep(1)  # it has nothing to say before there is a session
+    listener.wait_told()  # that there is nothing yet, which is said by who listens
     with open_session("mug", recording.init, url=url, prediction="none", smoothing=Smoothing(2.0)) as session:
         clouds = list(frames(recording))
         list(session.track(clouds[:5]))
@@ -111,7 +111,7 @@ def test_depth_images_are_shown_with_the_camera_of_their_session(url: str, tmp_p
     images: list[Observation] = [image, image.to_png(), DepthImage(pixels.astype(np.float32) / 1000)]
     with open_session("mug", pose, url=url, camera=camera) as session:
         listener = Listener(url, tmp_path, [session.session_id])
-        listener.wait_begun()
+        listener.wait_told()
         list(session.track(images))
     listener.join()
     path, seen = tmp_path / f"mug_{session.session_id}.mcap", []
