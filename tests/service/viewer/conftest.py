@@ -20,7 +20,10 @@ def browser() -> Iterator[Browser]:
 
 @pytest.fixture
 def visit(browser: Browser) -> Iterator[Callable[..., Page]]:
-    """Opens a page; whatever goes wrong in its scripts fails the test, but for answers that are expected."""
+    """Opens a page; whatever goes wrong in its scripts fails the test, but for answers that are expected.
+
+    To be asked for after the service, so that pages are closed before it ends.
+    """
     opened: list[Page] = []
     complaints: list[str] = []
 
@@ -48,7 +51,7 @@ def visit(browser: Browser) -> Iterator[Callable[..., Page]]:
 
 
 @pytest.fixture
-def page(visit: Callable[..., Page], service: Running) -> Page:
+def page(service: Running, visit: Callable[..., Page]) -> Page:
     opened = visit(str(service.http.base_url))
     opened.wait_for_selector("#link.live")
     return opened

@@ -149,7 +149,7 @@ def test_a_session_that_is_closed_leaves_the_page(page: Page, service: Running) 
     assert service.http.get(f"/v1/sessions/{session_id}").status_code == 404
 
 
-def test_it_comes_back_when_the_connection_breaks(visit: Callable[..., Page], service: Running) -> None:
+def test_it_comes_back_when_the_connection_breaks(service: Running, visit: Callable[..., Page]) -> None:
     routes: list[WebSocketRoute] = []
 
     def passed_on(route: WebSocketRoute) -> None:

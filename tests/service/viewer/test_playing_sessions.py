@@ -62,7 +62,7 @@ def recording(tmp_path: Path) -> Iterator[Running]:
 
 
 @pytest.fixture
-def page(visit: Callable[..., Page], recording: Running) -> Page:
+def page(recording: Running, visit: Callable[..., Page]) -> Page:
     opened = visit(str(recording.http.base_url))
     opened.wait_for_selector("#link.live")
     return opened
