@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import typer
 from google.protobuf.descriptor_pb2 import FileDescriptorSet
 from google.protobuf.descriptor_pool import DescriptorPool
 from google.protobuf.message_factory import GetMessageClass
@@ -20,6 +21,7 @@ from clients.playback import frames
 from clients.replay import replay
 from clients.session import open_session
 from tests.clients.sequences import DRIFT_M, FRAMES, drifting_mug, saved
+from tests.service.support import Running
 
 
 @pytest.fixture
@@ -39,7 +41,7 @@ def test_replay_gives_the_same_poses_to_the_last_digit(url: str, recorded: Path)
     pairs = replay(url, recorded, lambda result: seen.append(result.seq))
     assert seen == list(range(FRAMES))
     assert all(pair.identical for pair in pairs)
-    x = [pair.replayed.parts[0].translation[0] for pair in pairs]
+    x = [pair.recorded.parts[0].translation[0] for pair in pairs]
     assert x[3] - x[0] > 2 * DRIFT_M  # the poses are no constant
 
 
@@ -96,6 +98,27 @@ def test_other_files_are_refused(url: str, tmp_path: Path) -> None:
         replay(url, path, lambda _: None)
 
 
+def test_a_session_without_frames_says_what_to_do(
+    url: str, service: Running, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "empty.mcap"
+    with open_session("mug", drifting_mug().init, url=url, record=path):
+        pass
+    with pytest.raises(typer.Exit) as ended:
+        track([path], url=url)
+    assert ended.value.exit_code == 1
+    said = capsys.readouterr()
+    assert "holds no frame that had a result" in said.err
+    assert "record while clouds of the object are sent" in said.err
+    assert "replayed" not in said.out
+    assert service.http.get("/v1/sessions").json()["sessions"] == [], "nothing is left over"
+
+
+def test_frames_that_are_not_answered_any_more_differ(url: str, recorded: Path) -> None:
+    pair = replay(url, recorded, lambda _: None)[-1]
+    assert not replace(pair, replayed=None).identical
+
+
 def test_what_is_sent_by_http_is_recorded_too(url: str, tmp_path: Path) -> None:
     path, recording = tmp_path / "posted.mcap", drifting_mug()
     with open_session("mug", recording.init, url=url, record=path) as session:
@@ -121,7 +144,7 @@ def test_frames_without_the_object_are_replayed_since_they_count(url: str, tmp_p
     states = {result.seq: result.state for result in results}
     pairs = replay(url, path, lambda _: None)
     assert [pair.recorded.seq for pair in pairs] == [0, 1, 10, 11]
-    assert [pair.replayed.state for pair in pairs] == [states[seq] for seq in (0, 1, 10, 11)]
+    assert [pair.recorded.state for pair in pairs] == [states[seq] for seq in (0, 1, 10, 11)]
     assert states[10] is not states[1], "misses change the state"
     assert all(pair.identical for pair in pairs)
 
