@@ -35,7 +35,7 @@ def stream_of(service: Running, query: str = "") -> str:
     return str(service.http.base_url).replace("http", "ws") + "/viewer/stream" + query
 
 
-def test_the_page_asks_for_a_key_until_it_is_right(visit: Callable[..., Page], guarded: Running) -> None:
+def test_the_page_asks_for_a_key_until_it_is_right(guarded: Running, visit: Callable[..., Page]) -> None:
     page = visit(str(guarded.http.base_url), expected=REFUSED)
     page.wait_for_selector("#key[open] input")
     assert "send Authorization" in page.inner_text("#key")
@@ -51,7 +51,7 @@ def test_the_page_asks_for_a_key_until_it_is_right(visit: Callable[..., Page], g
 
 
 def test_the_key_in_the_address_lets_the_page_place_a_box_that_is_fed(
-    visit: Callable[..., Page], guarded: Running
+    guarded: Running, visit: Callable[..., Page]
 ) -> None:
     page = visit(f"{guarded.http.base_url}/#key=arm-key")
     page.wait_for_selector("#link.live")
@@ -73,7 +73,7 @@ def test_the_key_in_the_address_lets_the_page_place_a_box_that_is_fed(
         )
 
 
-def test_a_key_that_may_read_watches_and_no_more(visit: Callable[..., Page], guarded: Running) -> None:
+def test_a_key_that_may_read_watches_and_no_more(guarded: Running, visit: Callable[..., Page]) -> None:
     answer = guarded.http.post("/v1/sessions", json=session_body(), headers={"Authorization": "Bearer arm-key"})
     page = visit(f"{guarded.http.base_url}/#key=screen-key", expected="403")
     until(page, "document.querySelector('[data-session].on') !== null")
