@@ -23,6 +23,8 @@ from clients.session import open_session
 from tests.clients.sequences import DRIFT_M, FRAMES, drifting_mug, saved
 from tests.service.support import Running
 
+SHOWN = ("/cloud", "/tf", "/boxes", "/box_edges")
+
 
 @pytest.fixture
 def recorded(url: str, tmp_path: Path) -> Path:
@@ -77,18 +79,24 @@ def test_file_is_what_foxglove_and_rerun_know(recorded: Path) -> None:
                 assert (schema.encoding, channel.message_encoding) == ("jsonschema", "json")
                 continue
             assert (schema.encoding, channel.message_encoding) == ("protobuf", "protobuf"), "Rerun shows no JSON"
-            found.setdefault(schema.name, []).append(by_its_schema(schema, message.data))
-    assert len(found["foxglove.PointCloud"]) == FRAMES
-    cloud = found["foxglove.PointCloud"][0]
+            found.setdefault(channel.topic, []).append(by_its_schema(schema, message.data))
+    assert {topic: len(shown) for topic, shown in found.items()} == dict.fromkeys(SHOWN, FRAMES)
+    cloud = found["/cloud"][0]
     assert cloud.frame_id == "camera"
     points = np.frombuffer(cloud.data, "<f4").reshape(-1, 3)
     np.testing.assert_array_equal(points, drifting_mug().clouds[0])
-    (transform,) = found["foxglove.FrameTransforms"][0].transforms
+    (transform,) = found["/tf"][0].transforms
     assert (transform.parent_frame_id, transform.child_frame_id) == ("camera", "mug")
     assert transform.timestamp.ToNanoseconds() == cloud.timestamp.ToNanoseconds()
-    (entity,) = found["foxglove.SceneUpdate"][0].entities
+    (entity,) = found["/boxes"][0].entities
     position, translation = entity.cubes[0].pose.position, transform.translation
     assert position.SerializeToString() == translation.SerializeToString()
+    edges = found["/box_edges"][0]
+    assert [field.name for field in edges.fields] == ["x", "y", "z", "red", "green", "blue", "alpha"]
+    drawn = np.frombuffer(edges.data, "<f4").reshape(-1, edges.point_stride // 4)[:, :3]
+    size, middle = (np.array([each.x, each.y, each.z]) for each in (entity.cubes[0].size, position))
+    np.testing.assert_allclose(np.ptp(drawn, axis=0), size, atol=1e-3)
+    np.testing.assert_allclose((drawn.min(axis=0) + drawn.max(axis=0)) / 2, middle, atol=1e-3)
 
 
 def test_other_files_are_refused(url: str, tmp_path: Path) -> None:
