@@ -99,10 +99,13 @@ def test_file_is_what_foxglove_and_rerun_know(recorded: Path) -> None:
     np.testing.assert_allclose((drawn.min(axis=0) + drawn.max(axis=0)) / 2, middle, atol=1e-3)
 
 
-def test_other_files_are_refused(url: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("content", "hint"), [(b"nothing of the kind", "record it again"), (b"", "ends too early.*record it again")]
+)
+def test_other_files_are_refused(url: str, tmp_path: Path, content: bytes, hint: str) -> None:
     path = tmp_path / "other.mcap"
-    path.write_bytes(b"nothing of the kind")
-    with pytest.raises(RecordingError, match="record it again"):
+    path.write_bytes(content)
+    with pytest.raises(RecordingError, match=hint):
         replay(url, path, lambda _: None)
 
 
