@@ -101,7 +101,7 @@ def replay(url: str | None, path: Path, watch: Callable[[Result], None]) -> list
     if session_id is None:
         raise RecordingError(
             f"{path} holds no session of captra: record one with open_session(..., record=...), captra record, or the "
-            "field `record` when you open it"
+            "field `record` when you open it; clients/examples/11_ros2_bag.py tracks through a bag of ROS 2"
         )
     if not pairs:
         raise RecordingError(
