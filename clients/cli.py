@@ -51,13 +51,14 @@ def track(
 
     from captra.data.recordings import load_recording
     from captra.evaluation.table import WIDTH
+    from captra.recording.reader import is_mcap
     from clients.console import errors_for_people, view_for
     from clients.playback import play_through
     from clients.replay import replay
     from clients.report import advice, means_of, table_of
 
     console, playbacks = Console(), []
-    sessions = [path for path in recordings if path.suffix == ".mcap"]
+    sessions = [path for path in recordings if is_mcap(path)]
     for path in sessions:
         with errors_for_people(), view_for(console) as view:
             pairs = replay(url, path, view)

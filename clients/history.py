@@ -13,7 +13,7 @@ from captra import metrics
 from captra.categories import get_category
 from captra.data.recordings import Recording, RecordingError
 from captra.geometry import Pose
-from captra.recording.reader import messages
+from captra.recording.reader import is_mcap, messages
 from captra.recording.writer import RESULT, SESSION, TRUTH
 from clients.results import Result, parse_result
 
@@ -57,7 +57,7 @@ def history_of(path: Path, truth: Recording | None) -> History:
     Raises:
         RecordingError: the file holds no results.
     """
-    results, known, symmetric = mcap_history(path) if path.suffix == ".mcap" else (json_results(path), {}, False)
+    results, known, symmetric = mcap_history(path) if is_mcap(path) else (json_results(path), {}, False)
     if not results:
         raise RecordingError(f"{path} holds no results: record a session with captra record, or captra track --record")
     if truth is not None:

@@ -8,12 +8,16 @@ from pathlib import Path
 
 import numpy as np
 
-from captra.data.recordings import Recording
+from captra.data.recordings import Recording, RecordingError
 from captra.geometry import Pose
+from clients.errors import NoResultError
 from clients.packing import Frame
 from clients.recorder import recorder_for
 from clients.results import Event, Result
 from clients.session import Session, open_session
+
+FEWEST_FRAMES = 2
+"""The pose of the first frame is given, and the stamps of two make a rate."""
 
 
 @dataclass(frozen=True)
@@ -81,7 +85,17 @@ def play_through(
     encoding: str = "i16",
     record: Path | None = None,
 ) -> Playback:
-    """Play a recording in a session of its own, at the camera's rate or as fast as the service answers."""
+    """Play a recording in a session of its own, at the camera's rate or as fast as the service answers.
+
+    Raises:
+        RecordingError: there is nothing to play in it.
+        NoResultError: not one frame had a result.
+    """
+    if len(recording) < FEWEST_FRAMES:
+        raise RecordingError(
+            f"{recording.name} holds {len(recording)} frames: at least {FEWEST_FRAMES} are needed, for the pose of the "
+            "first is given; record it again while the object is in view"
+        )
     rate_hz = None if as_fast_as_possible else frame_rate_hz(recording)
     recorder = recorder_for(record)
     recorder.truth(recording)
@@ -91,7 +105,11 @@ def play_through(
             recording.category.name, recording.init, url=url, profile=profile, encoding=encoding, record=recorder
         ) as session,
     ):
-        return play(session, recording, rate_hz, watch)
+        playback = play(session, recording, rate_hz, watch)
+    if not playback.results:
+        why = playback.rejections[-1].detail if playback.rejections else "captra status says how the service is"
+        raise NoResultError(f"not one of the {len(recording)} frames of {recording.name} had a result: {why}")
+    return playback
 
 
 def rejected(events: Sequence[Event]) -> tuple[Event, ...]:

@@ -52,14 +52,14 @@ class Replayed:
 
     recorded: Result
     """What the service said when the file was written."""
-    replayed: Result
-    """What it says now."""
+    replayed: Result | None
+    """What it says now; none where it sees nothing near the object any more."""
 
     @property
     def identical(self) -> bool:
         """Whether every digit of every part, joint and confidence is the same."""
         then, now = self.recorded, self.replayed
-        return (then.parts, then.joints, then.confidence, then.state) == (
+        return now is not None and (then.parts, then.joints, then.confidence, then.state) == (
             now.parts,
             now.joints,
             now.confidence,
@@ -71,7 +71,7 @@ def replay(url: str | None, path: Path, watch: Callable[[Result], None]) -> list
     """Send every frame that the tracker saw to a new session that starts as the recorded one did.
 
     Raises:
-        RecordingError: the file holds no session.
+        RecordingError: the file holds no session, or one without results.
         RequestRefusedError: the service cannot open such a session, or refuses a frame that it once took.
     """
     answers = answers_in(path)
@@ -91,16 +91,22 @@ def replay(url: str | None, path: Path, watch: Callable[[Result], None]) -> list
                         continue
                     then = answers[frames]
                     now = again(api, session_id, frame_of(body), then.looks)
-                    if now is not None and then.result is not None:
+                    if then.result is not None:
                         pairs.append(Replayed(then.result, now))
-                        watch(now)
+                        if now is not None:
+                            watch(now)
         finally:
             if session_id is not None:
                 api.delete(session_id)
     if session_id is None:
         raise RecordingError(
             f"{path} holds no session of captra: record one with open_session(..., record=...), captra record, or the "
-            "field `record` when you open it"
+            "field `record` when you open it; clients/examples/11_ros2_bag.py tracks through a bag of ROS 2"
+        )
+    if not pairs:
+        raise RecordingError(
+            f"{path} holds no frame that had a result, so there is nothing to replay: record while clouds of the "
+            "object are sent, and close the session afterwards"
         )
     return pairs
 

@@ -1,14 +1,21 @@
 """Clouds, poses and boxes as Foxglove's messages have them, so that Foxglove and Rerun show them as they are."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from itertools import product
 from typing import Any, Protocol
 
 import numpy as np
 
+from captra.geometry import matrix_from_quat_xyzw
 from captra.health import State
 
-FLOAT32 = 7
-"""Number of the type in foxglove.PackedElementField."""
+TYPES = {"|u1": 1, "<f4": 7}
+"""Their numbers in foxglove.PackedElementField."""
+POINT = np.dtype([(axis, "<f4") for axis in "xyz"])
+COLOURED = np.dtype([*((axis, "<f4") for axis in "xyz"), *((name, "u1") for name in ("red", "green", "blue", "alpha"))])
+"""Points of clouds."""
+ALONG_AN_EDGE = 24
+"""So many points look like a line."""
 
 COLOURS = {
     State.TRACKING: (0.2, 0.8, 0.3, 0.4),
@@ -76,13 +83,19 @@ def xyz(values: tuple[float, ...]) -> dict[str, float]:
 
 def point_cloud(points: np.ndarray, stamp_ns: int, frame_id: str) -> dict[str, Any]:
     """foxglove.PointCloud of points (N, 3), metres."""
+    return _packed(np.ascontiguousarray(points, "<f4").view(POINT), stamp_ns, frame_id)
+
+
+def _packed(points: np.ndarray, stamp_ns: int, frame_id: str) -> dict[str, Any]:
+    """foxglove.PointCloud of records."""
+    fields: Mapping[str, Any] = points.dtype.fields or {}
     return {
         "timestamp": time_of(stamp_ns),
         "frame_id": frame_id,
         "pose": {"position": xyz((0.0, 0.0, 0.0)), "orientation": xyz((0.0, 0.0, 0.0, 1.0))},
-        "point_stride": 12,
-        "fields": [{"name": name, "offset": 4 * i, "type": FLOAT32} for i, name in enumerate("xyz")],
-        "data": points.astype("<f4").tobytes(),
+        "point_stride": points.dtype.itemsize,
+        "fields": [{"name": name, "offset": at, "type": TYPES[kind.str]} for name, (kind, at, *_) in fields.items()],
+        "data": points.tobytes(),
     }
 
 
@@ -119,3 +132,25 @@ def boxes(result: Result) -> dict[str, Any]:
         "cubes": [cube(part) for part in result.parts],
     }
     return {"entities": [entity]}
+
+
+def edges(result: Result) -> dict[str, Any]:
+    """foxglove.PointCloud of the boxes' edges, in the colour of the state: for Rerun, which draws no boxes."""
+    points = np.zeros((len(result.parts), len(UNIT_EDGES)), COLOURED)
+    for row, part in zip(points, result.parts, strict=True):
+        turned = (UNIT_EDGES * part.size) @ matrix_from_quat_xyzw(np.array(part.quat_xyzw)).T
+        row["x"], row["y"], row["z"] = (turned + part.translation).T
+    red, green, blue, _ = COLOURS[result.state]
+    for name, value in {"red": red, "green": green, "blue": blue, "alpha": 1.0}.items():
+        points[name] = round(255 * value)
+    return _packed(points, result.stamp_ns or 0, result.frame_id)
+
+
+def _unit_edges() -> np.ndarray:
+    """Points on the twelve edges of the cube of side 1 about the origin."""
+    along = np.linspace(-0.5, 0.5, ALONG_AN_EDGE)
+    ends = [np.array([(step, *end) for step in along]) for end in product((-0.5, 0.5), repeat=2)]
+    return np.concatenate([np.roll(edge, axis, axis=1) for edge in ends for axis in range(3)])
+
+
+UNIT_EDGES = _unit_edges()

@@ -13,6 +13,14 @@ from mcap.writer import CompressionType, Writer
 from captra.data.recordings import RecordingError
 from captra.recording.writer import PAYLOAD_ON, POINT_CLOUD2
 
+MAGIC = b"\x89MCAP0\r\n"
+
+
+def is_mcap(path: Path) -> bool:
+    """Whether a file is, or should be, such a recording: one fetched from a service may lack the ending."""
+    with path.open("rb") as file:
+        return path.suffix == ".mcap" or file.read(len(MAGIC)) == MAGIC
+
 
 def messages(path: Path) -> Iterator[tuple[str, Mapping[str, Any]]]:
     """Schema name and content of our own messages, in the order of writing.
@@ -32,7 +40,9 @@ def messages(path: Path) -> Iterator[tuple[str, Mapping[str, Any]]]:
                     kept = {"payload": base64.b64encode(cloud).decode()} if PAYLOAD_ON in body else {}
                     yield name, body | kept
     except (McapError, orjson.JSONDecodeError) as error:
-        raise RecordingError(f"{path} is no whole MCAP recording ({error}): record it again") from error
+        raise RecordingError(
+            f"{path} is no whole MCAP recording ({str(error) or 'it ends too early'}): record it again"
+        ) from error
 
 
 def salvage(path: Path, whole: Path) -> int:

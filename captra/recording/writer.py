@@ -12,7 +12,7 @@ import orjson
 from mcap.writer import CompressionType, Writer
 
 from captra.geometry import Pose
-from captra.recording.foxglove import Result, boxes, point_cloud, transforms
+from captra.recording.foxglove import Result, boxes, edges, point_cloud, transforms
 from captra.recording.protobuf import encode, schema
 
 SESSION, FRAME, RESULT, EVENT, RESET = "captra.Session", "captra.Frame", "captra.Result", "captra.Event", "captra.Reset"
@@ -24,6 +24,8 @@ PAYLOAD_ON = "payload_on"
 """Says that a frame's payload is the message before it on this topic."""
 POINTS, TRANSFORMS, BOXES = "foxglove.PointCloud", "foxglove.FrameTransforms", "foxglove.SceneUpdate"
 """Foxglove's messages, as protobuf: what viewers show."""
+EDGES = "edges"
+"""The boxes once more, as points."""
 TOPICS = {
     SESSION: "/captra/session",
     FRAME: "/captra/frames",
@@ -34,6 +36,7 @@ TOPICS = {
     POINTS: CLOUD_TOPIC,
     TRANSFORMS: "/tf",
     BOXES: "/boxes",
+    EDGES: "/box_edges",
 }
 DEFAULT_FRAME_ID = "camera"
 """What the service calls the frame of a session that names none."""
@@ -56,8 +59,9 @@ class SessionWriter:
         for name, topic in TOPICS.items():
             if name.startswith("captra."):
                 self._declare(name, "jsonschema", ANY_OBJECT, topic, "json")
-            else:
+            elif name != EDGES:
                 self._declare(name, "protobuf", schema(), topic, "protobuf")
+        self._declare(POINTS, "protobuf", schema(), TOPICS[EDGES], "protobuf", channel=EDGES)
         self._lock = threading.Lock()
         self._closed = False
         self._frame_id = DEFAULT_FRAME_ID
@@ -95,6 +99,7 @@ class SessionWriter:
             (RESULT, payload),
             (TRANSFORMS, encode(TRANSFORMS, transforms(result))),
             (BOXES, encode(BOXES, boxes(result))),
+            (EDGES, encode(POINTS, edges(result))),
         )
 
     def event(self, payload: bytes) -> None:
@@ -117,9 +122,11 @@ class SessionWriter:
                 self._writer.finish()  # type: ignore[no-untyped-call]
                 self._file.close()
 
-    def _declare(self, name: str, schema_encoding: str, schema: bytes, topic: str, encoding: str) -> None:
+    def _declare(
+        self, name: str, schema_encoding: str, schema: bytes, topic: str, encoding: str, channel: str = ""
+    ) -> None:
         number = self._writer.register_schema(name, schema_encoding, schema)
-        self._channels[name] = self._writer.register_channel(topic, encoding, number)
+        self._channels[channel or name] = self._writer.register_channel(topic, encoding, number)
 
     def _write(self, *messages: tuple[str, bytes]) -> None:
         """One message after the other, with none of another thread between them."""

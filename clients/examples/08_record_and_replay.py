@@ -22,4 +22,4 @@ with TemporaryDirectory() as folder:
             pass
     for pair in replay(None, path, lambda _: None):
         words = "the same" if pair.identical else "another pose"
-        print(f"{pair.replayed.seq:3d} {pair.replayed.state} {words}")
+        print(f"{pair.recorded.seq:3d} {pair.recorded.state} {words}")

@@ -161,4 +161,4 @@ def test_recordings_hold_images_and_masks_and_replay_the_same(url: str, tmp_path
     pairs = replay(url, path, lambda _: None)
     assert len(pairs) == len(frames)
     assert all(pair.identical for pair in pairs)
-    assert all(pair.replayed.parts[0].translation[0] > 0.005 for pair in pairs)
+    assert all(pair.recorded.parts[0].translation[0] > 0.005 for pair in pairs)

@@ -64,6 +64,7 @@ def test_one_session_is_recorded_until_it_is_closed(url: str, tmp_path: Path) ->
     pairs = replay(url, path, lambda result: None)
     assert len(pairs) == FRAMES
     for pair in pairs:
+        assert pair.replayed is not None
         np.testing.assert_allclose(pair.replayed.pose.translation, pair.recorded.pose.translation, atol=1e-9)
 
 

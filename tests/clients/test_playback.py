@@ -1,12 +1,17 @@
+from dataclasses import replace
+from pathlib import Path
+
 import numpy as np
 import pytest
 
+from captra.data.recordings import RecordingError, load_recording
 from captra.health import State
 from clients import Event, Result, open_session
-from clients.playback import Playback, frame_rate_hz, frames, play
+from clients.errors import NoResultError
+from clients.playback import Playback, frame_rate_hz, frames, play, play_through
 from clients.results import JointState, PartPose, Timing
 from tests.clients.fake_service import FakeService, at_centroid
-from tests.clients.sequences import DRIFT_M, drifting_mug
+from tests.clients.sequences import DRIFT_M, drifting_mug, first_frames, saved
 
 
 def result(seq: int, x: float, state: State = State.TRACKING, quat_xyzw: tuple[float, ...] = (0, 0, 0, 1)) -> Result:
@@ -52,6 +57,25 @@ def test_playing_shows_every_result_as_it_comes(fake: FakeService, rate_hz: floa
     assert [each.stamp_ns for each in seen][-1] == recording.stamps_ns[-1]
     assert played.rejections == ()
     assert played.elapsed_s >= (0 if rate_hz is None else 7 / 50)
+
+
+@pytest.mark.parametrize("count", [0, 1])
+def test_recordings_with_nothing_to_play_are_refused(fake: FakeService, tmp_path: Path, count: int) -> None:
+    recording = load_recording(saved(first_frames(drifting_mug(), count), tmp_path))
+    with pytest.raises(RecordingError, match=rf"holds {count} frames: at least 2 .* record it again"):
+        play_through(fake.url, recording, print, as_fast_as_possible=True)
+    assert fake.requests == []
+
+
+def test_a_recording_of_nothing_says_why_no_frame_had_a_result(tmp_path: Path) -> None:
+    def reject(service: FakeService, seq: int, points: np.ndarray) -> dict[str, object]:
+        return {"kind": "rejected", "reason": "no-points", "detail": f"the cloud has {len(points)} points: send some"}
+
+    recording = drifting_mug(3)
+    clouds = tuple(np.zeros((0, 3), np.float32) for _ in recording.clouds)
+    path = saved(replace(recording, clouds=clouds, labels=tuple(np.zeros(0, np.uint8) for _ in clouds)), tmp_path)
+    with FakeService(reject) as fake, pytest.raises(NoResultError, match=r"not one of the 3 .* 0 points: send some"):
+        play_through(fake.url, load_recording(path), print, as_fast_as_possible=True)
 
 
 def test_rejections_are_kept_and_do_not_end_the_playing() -> None:

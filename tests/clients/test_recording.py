@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import typer
 from google.protobuf.descriptor_pb2 import FileDescriptorSet
 from google.protobuf.descriptor_pool import DescriptorPool
 from google.protobuf.message_factory import GetMessageClass
@@ -20,6 +21,9 @@ from clients.playback import frames
 from clients.replay import replay
 from clients.session import open_session
 from tests.clients.sequences import DRIFT_M, FRAMES, drifting_mug, saved
+from tests.service.support import Running
+
+SHOWN = ("/cloud", "/tf", "/boxes", "/box_edges")
 
 
 @pytest.fixture
@@ -39,7 +43,7 @@ def test_replay_gives_the_same_poses_to_the_last_digit(url: str, recorded: Path)
     pairs = replay(url, recorded, lambda result: seen.append(result.seq))
     assert seen == list(range(FRAMES))
     assert all(pair.identical for pair in pairs)
-    x = [pair.replayed.parts[0].translation[0] for pair in pairs]
+    x = [pair.recorded.parts[0].translation[0] for pair in pairs]
     assert x[3] - x[0] > 2 * DRIFT_M  # the poses are no constant
 
 
@@ -75,25 +79,55 @@ def test_file_is_what_foxglove_and_rerun_know(recorded: Path) -> None:
                 assert (schema.encoding, channel.message_encoding) == ("jsonschema", "json")
                 continue
             assert (schema.encoding, channel.message_encoding) == ("protobuf", "protobuf"), "Rerun shows no JSON"
-            found.setdefault(schema.name, []).append(by_its_schema(schema, message.data))
-    assert len(found["foxglove.PointCloud"]) == FRAMES
-    cloud = found["foxglove.PointCloud"][0]
+            found.setdefault(channel.topic, []).append(by_its_schema(schema, message.data))
+    assert {topic: len(shown) for topic, shown in found.items()} == dict.fromkeys(SHOWN, FRAMES)
+    cloud = found["/cloud"][0]
     assert cloud.frame_id == "camera"
     points = np.frombuffer(cloud.data, "<f4").reshape(-1, 3)
     np.testing.assert_array_equal(points, drifting_mug().clouds[0])
-    (transform,) = found["foxglove.FrameTransforms"][0].transforms
+    (transform,) = found["/tf"][0].transforms
     assert (transform.parent_frame_id, transform.child_frame_id) == ("camera", "mug")
     assert transform.timestamp.ToNanoseconds() == cloud.timestamp.ToNanoseconds()
-    (entity,) = found["foxglove.SceneUpdate"][0].entities
+    (entity,) = found["/boxes"][0].entities
     position, translation = entity.cubes[0].pose.position, transform.translation
     assert position.SerializeToString() == translation.SerializeToString()
+    edges = found["/box_edges"][0]
+    assert [field.name for field in edges.fields] == ["x", "y", "z", "red", "green", "blue", "alpha"]
+    drawn = np.frombuffer(edges.data, "<f4").reshape(-1, edges.point_stride // 4)[:, :3]
+    size, middle = (np.array([each.x, each.y, each.z]) for each in (entity.cubes[0].size, position))
+    np.testing.assert_allclose(np.ptp(drawn, axis=0), size, atol=1e-3)
+    np.testing.assert_allclose((drawn.min(axis=0) + drawn.max(axis=0)) / 2, middle, atol=1e-3)
 
 
-def test_other_files_are_refused(url: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("content", "hint"), [(b"nothing of the kind", "record it again"), (b"", "ends too early.*record it again")]
+)
+def test_other_files_are_refused(url: str, tmp_path: Path, content: bytes, hint: str) -> None:
     path = tmp_path / "other.mcap"
-    path.write_bytes(b"nothing of the kind")
-    with pytest.raises(RecordingError, match="record it again"):
+    path.write_bytes(content)
+    with pytest.raises(RecordingError, match=hint):
         replay(url, path, lambda _: None)
+
+
+def test_a_session_without_frames_says_what_to_do(
+    url: str, service: Running, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "empty.mcap"
+    with open_session("mug", drifting_mug().init, url=url, record=path):
+        pass
+    with pytest.raises(typer.Exit) as ended:
+        track([path], url=url)
+    assert ended.value.exit_code == 1
+    said = capsys.readouterr()
+    assert "holds no frame that had a result" in said.err
+    assert "record while clouds of the object are sent" in said.err
+    assert "replayed" not in said.out
+    assert service.http.get("/v1/sessions").json()["sessions"] == [], "nothing is left over"
+
+
+def test_frames_that_are_not_answered_any_more_differ(url: str, recorded: Path) -> None:
+    pair = replay(url, recorded, lambda _: None)[-1]
+    assert not replace(pair, replayed=None).identical
 
 
 def test_what_is_sent_by_http_is_recorded_too(url: str, tmp_path: Path) -> None:
@@ -121,7 +155,7 @@ def test_frames_without_the_object_are_replayed_since_they_count(url: str, tmp_p
     states = {result.seq: result.state for result in results}
     pairs = replay(url, path, lambda _: None)
     assert [pair.recorded.seq for pair in pairs] == [0, 1, 10, 11]
-    assert [pair.replayed.state for pair in pairs] == [states[seq] for seq in (0, 1, 10, 11)]
+    assert [pair.recorded.state for pair in pairs] == [states[seq] for seq in (0, 1, 10, 11)]
     assert states[10] is not states[1], "misses change the state"
     assert all(pair.identical for pair in pairs)
 

@@ -8,6 +8,7 @@ import type { Frame, Recording } from "./recording";
 import type { Part, Vec3, Vec4 } from "./types";
 
 const POINTS_FIELD = 6; // "data" of foxglove.PointCloud
+const CLOUDS = "/cloud"; // edges of boxes have a topic of their own
 const BRACE = 0x7b; // older files have it as JSON
 
 type Rotation = { quat_xyzw: Vec4 } | { matrix: number[][] };
@@ -24,7 +25,7 @@ export function readMcap(name: string, file: ArrayBuffer): Recording {
     points: Float32Array | null = null,
     message: Uint8Array<ArrayBuffer> = new Uint8Array();
   const frames: Frame[] = [];
-  for (const [schema, data] of messages(name, file)) {
+  for (const [schema, topic, data] of messages(name, file)) {
     switch (schema) {
       case "captra.Session":
         body ??= json(data);
@@ -37,7 +38,8 @@ export function readMcap(name: string, file: ArrayBuffer): Recording {
         reset = null;
         break;
       case "foxglove.PointCloud":
-        if (data[0] !== BRACE) points ??= new Float32Array(bytesIn(data, POINTS_FIELD).slice().buffer);
+        if (topic === CLOUDS && data[0] !== BRACE)
+          points ??= new Float32Array(bytesIn(data, POINTS_FIELD).slice().buffer);
         break;
       case "sensor_msgs/msg/PointCloud2":
         message = data.slice();
@@ -50,17 +52,17 @@ export function readMcap(name: string, file: ArrayBuffer): Recording {
   return { name, category, options, init: partsOf(body), frames, points };
 }
 
-function* messages(name: string, file: ArrayBuffer): Generator<[string, Uint8Array]> {
+function* messages(name: string, file: ArrayBuffer): Generator<[schema: string, topic: string, data: Uint8Array]> {
   const lz4 = (bytes: Uint8Array, size: bigint) => decompress(bytes, Number(size));
   const reader = new McapStreamReader({ decompressHandlers: { lz4 } });
   const schemas = new Map<number, string>(),
-    channels = new Map<number, string>();
+    channels = new Map<number, [schema: string, topic: string]>();
   reader.append(new Uint8Array(file));
   try {
     for (let record = reader.nextRecord(); record !== undefined; record = reader.nextRecord()) {
       if (record.type === "Schema") schemas.set(record.id, record.name);
-      else if (record.type === "Channel") channels.set(record.id, schemas.get(record.schemaId) ?? "");
-      else if (record.type === "Message") yield [channels.get(record.channelId) ?? "", record.data];
+      else if (record.type === "Channel") channels.set(record.id, [schemas.get(record.schemaId) ?? "", record.topic]);
+      else if (record.type === "Message") yield [...(channels.get(record.channelId) ?? ["", ""]), record.data];
     }
   } catch (error) {
     throw new Error(`${name} cannot be read (${error instanceof Error ? error.message : error}): record it again`);

@@ -6,14 +6,20 @@ import runpy
 import shlex
 import shutil
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
+import orjson
 import pytest
+from mcap.writer import Writer
 
 from captra.data.recordings import load_recording
+from captra.recording.writer import POINT_CLOUD2, definition_of
+from clients.demo import COFFEE_MUG
+from clients.rest import session_body
 from clients.service_process import ServiceProcess
 from tests.clients.sequences import first_frames, saved
+from tests.service.ros2.clouds import cdr
 from tests.service.support import running
 
 ROOT = Path(__file__).parents[3]
@@ -41,13 +47,16 @@ def url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
 
 @pytest.fixture
 def run(url: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Run:
-    def run_example(name: str, frames: int = FRAMES, at: str = url) -> list[str]:
+    def run_example(name: str, frames: int = FRAMES, at: str = url, words: Sequence[str] = ()) -> list[str]:
+        """`words` take the place of those in the docstring."""
         (example,) = [path for path in EXAMPLES if path.name.startswith(name)]
         script, recording, *others = usage(example)
         assert ROOT / script == example
-        short = saved(first_frames(load_recording(ROOT / recording), frames), tmp_path)
         monkeypatch.setenv("CAPTRA_URL", at)
-        monkeypatch.setattr(sys, "argv", [script, str(short), *(str(tmp_path / other) for other in others)])
+        if not words:
+            short = saved(first_frames(load_recording(ROOT / recording), frames), tmp_path)
+            words = (str(short), *(str(tmp_path / other) for other in others))
+        monkeypatch.setattr(sys, "argv", [script, *words])
         runpy.run_path(str(example), run_name="__main__")
         return capsys.readouterr().out.splitlines()
 
@@ -137,3 +146,26 @@ def test_ros2(run: Run) -> None:
     assert len(lines) == FRAMES
     assert all(line.startswith("camera_depth_optical_frame -> cup/mug: ") for line in lines)
     assert float(lines[-1].split()[-2]) == pytest.approx(0.98, abs=0.05), "metres to the mug"
+
+
+def test_ros2_bag(run: Run, tmp_path: Path) -> None:
+    bag, session, recording = tmp_path / "bag.mcap", tmp_path / "session.json", load_recording(COFFEE_MUG)
+    with bag.open("wb") as file:
+        writer = Writer(file)
+        writer.start(profile="ros2", library="libmcap")
+        schema = writer.register_schema(POINT_CLOUD2, "ros2msg", definition_of(POINT_CLOUD2))
+        channels = [
+            writer.register_channel(topic, "cdr", schema) for topic in ("/other/points", "/camera/depth/points")
+        ]
+        for number, cloud in enumerate(recording.clouds[:FRAMES]):
+            message = cdr(cloud, (("x", "f4"), ("y", "f4"), ("z", "f4"), ("rgb", "f4")))
+            for channel in channels:
+                writer.add_message(channel, number, message, number)
+        writer.finish()  # type: ignore[no-untyped-call]
+    session.write_bytes(orjson.dumps(session_body("mug", recording.init, {})))
+    lines = run("11", words=[str(bag), "/camera/depth/points", str(session)])
+    assert len(lines) == FRAMES
+    assert all(" camera_depth_optical_frame: mug tracking at " in line for line in lines[2:])
+    assert float(lines[-1].split()[-2]) == pytest.approx(0.98, abs=0.05), "metres to the mug"
+    with pytest.raises(SystemExit, match="has no messages on /nowhere"):
+        run("11", words=[str(bag), "/nowhere", str(session)])

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from mcap.reader import make_reader
 
-from captra.recording.reader import messages
+from captra.recording.reader import is_mcap, messages
 from clients.replay import replay
 from service.codecs import CDR
 from service.sqlite_store import SqliteSessionStore
@@ -86,8 +86,10 @@ def test_a_recorded_session_is_fetched_and_replays_to_the_last_digit(recording: 
     answer = recording.http.get(f"/v1/recordings/{entry['name']}")
     assert answer.headers["content-type"] == "application/vnd.mcap"
     assert len(answer.content) == entry["size_bytes"]
-    path = tmp_path / "fetched.mcap"
+    path = tmp_path / entry["name"]  # as curl -O saves it
+    assert f'filename="{entry["name"]}.mcap"' in answer.headers["content-disposition"]
     path.write_bytes(answer.content)
+    assert is_mcap(path)
     pairs = replay(str(recording.http.base_url), path, lambda result: None)
     assert [pair.recorded.seq for pair in pairs] == [0, 1, 2, 3, 6, 0, 1, 2]
     assert all(pair.identical for pair in pairs)
