@@ -120,7 +120,8 @@ def answers_in(path: Path) -> dict[int, Answer]:
     """What became of the frames of a file, counted from one.
 
     Frames that newer ones replaced, or that were refused for another reason, are not in it. A listener may have heard a
-    result before its frame.
+    result before its frame. Where nothing was seen, a result tells the state that changed, before or after the event
+    that says so: it is no answer.
     """
     answers: dict[int, Answer] = {}
     frame_by_seq: dict[int, int] = {}
@@ -137,10 +138,9 @@ def answers_in(path: Path) -> dict[int, Answer]:
                 answers[frames] = early.pop(seq)
         elif name == RESULT or (name == EVENT and body.get("reason") == UNSEEN):
             answer = Answer(body.get("looks"), parse_result(body) if name == RESULT else None)
-            if seq in frame_by_seq:
-                answers[frame_by_seq[seq]] = answer
-            else:
-                early[seq] = answer
+            known, key = (answers, frame_by_seq[seq]) if seq in frame_by_seq else (early, seq)
+            if key not in known or answer.result is None:
+                known[key] = answer
     return answers
 
 

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import orjson
 import pytest
 import typer
 from google.protobuf.descriptor_pb2 import FileDescriptorSet
@@ -15,10 +16,12 @@ from mcap.records import Schema
 
 from captra.data.recordings import RecordingError
 from captra.recording.reader import messages
+from captra.recording.writer import SessionWriter
 from clients.cli import track
 from clients.errors import RequestRefusedError
 from clients.playback import frames
-from clients.replay import replay
+from clients.replay import answers_in, replay
+from clients.results import parse_result
 from clients.session import open_session
 from tests.clients.sequences import DRIFT_M, FRAMES, drifting_mug, saved
 from tests.service.support import Running
@@ -158,6 +161,27 @@ def test_frames_without_the_object_are_replayed_since_they_count(url: str, tmp_p
     assert [pair.recorded.state for pair in pairs] == [states[seq] for seq in (0, 1, 10, 11)]
     assert states[10] is not states[1], "misses change the state"
     assert all(pair.identical for pair in pairs)
+
+
+@pytest.mark.parametrize(
+    "order", [("frame", "event", "result"), ("result", "event", "frame"), ("frame", "result", "event")]
+)
+def test_a_state_that_is_told_of_a_miss_is_no_answer(order: tuple[str, ...], recorded: Path, tmp_path: Path) -> None:
+    path = tmp_path / "any_order.mcap"
+    (told, *_) = [body for name, body in messages(recorded) if name == "captra.Result"]
+    missed = {"seq": 0, "kind": "rejected", "reason": "no-points-near-object"}
+    writer = SessionWriter(path)
+    for step in order:
+        match step:
+            case "frame":
+                writer.frame(0, 0, "x", b"", b"", None)
+            case "event":
+                writer.event(orjson.dumps(missed))
+            case "result":
+                payload = orjson.dumps(told)
+                writer.result(payload, parse_result(payload))
+    writer.close()
+    assert {number: answer.result for number, answer in answers_in(path).items()} == {1: None}
 
 
 def test_several_recordings_go_into_several_files(url: str, tmp_path: Path) -> None:
