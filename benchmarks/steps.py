@@ -21,15 +21,26 @@ from rich.table import Table
 
 from benchmarks.untrained import write_untrained
 from captra.bench.machine import this_machine
+from captra.categories import get_category
+from captra.depth_images import DepthImage, Intrinsics
+from captra.geometry import Pose
+from captra.looking import choose_points
+from captra.observations import Observation, PointCloud
 from captra.runtime.cores import available_cores
 from captra.runtime.onnx_networks import OnnxNetworks
-from captra.sampling import PROFILES, Profile, build_neighborhoods, farthest_points, part_neighborhoods
+from captra.sampling import PROFILES, InputSampling, Profile, build_neighborhoods, farthest_points, part_neighborhoods
+from captra.segmentation import NOTHING_KNOWN
 from captra.side_by_side import IN_TURN, One, Other, WhileCoresAreFree
 from export import onnx_export
 from export.inputs import made_up_clouds
 
 Step = tuple[str, Callable[[], object]]
 PIECES = (1, onnx_export.PIECES)
+FOCAL_PX = 600.0
+BALL_RADIUS_PX = 60.0
+"""Of what is near: a mug of 10 cm, half a metre away."""
+SERVED = InputSampling(surroundings_weight=0.4)
+"""As in the bundles."""
 WARM_UP = 5
 
 
@@ -47,7 +58,8 @@ def main(
             with mock.patch.object(onnx_export, "PIECES", pieces):
                 write_untrained("mug", Path(folder, str(pieces)))
         for profile in PROFILES.values():
-            for label, step in (*networks_of(Path(folder), profile, provider), *neighborhoods_of(profile)):
+            steps = (*networks_of(Path(folder), profile, provider), *neighborhoods_of(profile), *crops_of(profile))
+            for label, step in steps:
                 result.add_row(label, profile.name, timed(step, repetitions))
     console.print(result)
 
@@ -74,6 +86,19 @@ def neighborhoods_of(profile: Profile) -> Iterator[Step]:
     yield "neighbourhoods, in turn", partial(part_neighborhoods, cloud[None], profile)
     ways = WhileCoresAreFree(available_cores())
     yield "neighbourhoods, side by side", partial(part_neighborhoods, cloud[None], profile, ways)
+
+
+def crops_of(profile: Profile) -> Iterator[Step]:
+    """From all that a camera sees, 640 × 480 pixels, to the points that the networks are given."""
+    u, v = np.meshgrid(np.arange(640) - 319.5, np.arange(480) - 239.5)
+    depth_m = np.where(np.hypot(u, v) < BALL_RADIUS_PX, 0.5, 1.0).astype(np.float32)
+    cloud = np.stack([u * depth_m / FOCAL_PX, v * depth_m / FOCAL_PX, depth_m], axis=-1).reshape(-1, 3)
+    image = DepthImage((1e3 * depth_m).astype(np.uint16), 1e-3, Intrinsics(FOCAL_PX, FOCAL_PX, 319.5, 239.5))
+    around = Pose.from_size(np.eye(3)[None], np.array([[0.0, 0.0, 0.5]]), np.full((1, 3), 0.12))
+    seen: tuple[tuple[str, Observation], ...] = (("depth image", image), ("cloud", PointCloud.of(cloud)))
+    for label, observation in seen:
+        arguments = (observation, around, get_category("mug"), profile.points, SERVED, NOTHING_KNOWN)
+        yield f"crop and sampling, whole {label} of 307,200 points", partial(choose_points, *arguments)
 
 
 def started_anew(one: Callable[[], One], other: Callable[[], Other]) -> tuple[One, Other]:
