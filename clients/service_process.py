@@ -51,6 +51,11 @@ class ServiceProcess:
         """Process number."""
         return self._process.pid
 
+    @property
+    def is_running(self) -> bool:
+        """Whether the process has not ended."""
+        return self._process.poll() is None
+
     def __enter__(self) -> Self:
         self._folder = TemporaryDirectory(prefix="captra-")
         self._log = Path(self._folder.name, "service.log")

@@ -87,7 +87,7 @@ def health(
     from captra.evaluation.health_report import HealthReport
     from captra.evaluation.incident_runner import Rehearsal, watch_all
     from captra.evaluation.incidents import INCIDENTS
-    from captra.evaluation.prediction_rates import Rate
+    from captra.evaluation.prediction_rates import Rate, pooled
     from captra.evaluation.prediction_rates import rates as measure_rates
     from captra.evaluation.sequences import TEST_SEED
     from captra.evaluation.table import WIDTH
@@ -116,6 +116,7 @@ def health(
                 measured += measure_rates(name, networks, sources, pool)
     if len(names) > 1:
         found.append(figures("all", everything))
+        measured += list(pooled(measured))
     report = HealthReport(found, by_kind(everything), measured)
     for table in health_report.tables(report):
         console.print(table)

@@ -1,6 +1,7 @@
 """What predicting the next pose does at different frame rates."""
 
-from collections.abc import Iterable, Sequence
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -85,3 +86,14 @@ def rates(name: str, networks: NetworksSource, sources: Sequence[SequenceSource]
                 rotation_deg=float(rotation_deg.mean()),
                 translation_cm=float(np.concatenate([score.translation_cm for score in scores]).mean()),
             )
+
+
+def pooled(found: Iterable[Rate]) -> Iterator[Rate]:
+    """Several categories as one, in which every frame counts the same."""
+    of_settings = defaultdict[tuple[float, str], list[Rate]](list)
+    for one in found:
+        of_settings[one.hertz, one.prediction].append(one)
+    for (hertz, prediction), some in of_settings.items():
+        frames = [one.frames for one in some]
+        figures = np.array([[one.within_5deg_5cm_percent, one.rotation_deg, one.translation_cm] for one in some])
+        yield Rate("all", hertz, prediction, sum(frames), *np.average(figures, axis=0, weights=frames).tolist())

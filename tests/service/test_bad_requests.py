@@ -1,15 +1,19 @@
 """Every request that is refused: its status, its reason, its problem, its counter; and the session stays as it was."""
 
+import re
 from typing import Any
 
+import httpx
 import pytest
 import zenoh
 
-from tests.service.support import Running, blob, f32, inbox, part_body, running, session_body
+from service.networks import Engine
+from service.rejections import ModelNotLoadableError
+from tests.service.support import CentreProvider, Running, blob, f32, inbox, part_body, running, session_body
 
 
-def refused(answer: Any, status: int, reason: str) -> dict[str, Any]:
-    """Assert that an answer is the problem that it should be."""
+def refused(answer: httpx.Response, status: int, reason: str) -> dict[str, Any]:
+    """Assert that an answer is the problem that it should be, and that it is counted."""
     assert answer.headers["Content-Type"] == "application/problem+json", answer.text
     problem: dict[str, Any] = answer.json()
     assert (answer.status_code, problem["status"], problem["reason"]) == (status, status, reason), problem
@@ -17,6 +21,9 @@ def refused(answer: Any, status: int, reason: str) -> dict[str, Any]:
     assert problem["instance"] == answer.request.url.path
     assert problem["title"]
     assert problem["detail"]
+    if reason != "internal-error":  # a defect that no frame met is told by the log
+        counted = httpx.get(answer.request.url.join("/metrics"), timeout=10).text
+        assert re.search(rf'^captra_requests_rejected_total{{reason="{reason}"}} [1-9]', counted, re.MULTILINE)
     return problem
 
 
@@ -92,6 +99,21 @@ def test_session_that_cannot_be_opened(service: Running, options: dict[str, Any]
     refused(service.http.post("/v1/sessions", json=session_body() | options), 422, reason)
     assert service.http.get("/v1/sessions").json() == {"sessions": []}
     assert service.metric(f'captra_requests_rejected_total{{reason="{reason}"}}') == 1
+
+
+class DamagedProvider(CentreProvider):
+    """Has a bundle that cannot be loaded."""
+
+    def get(self, category: str, profile: str) -> Engine:
+        raise ModelNotLoadableError(f"the model of {category} cannot be loaded: rotation.onnx is damaged")
+
+
+def test_model_that_cannot_be_loaded() -> None:
+    with running(provider=DamagedProvider("mug")) as service:
+        assert service.service.readiness.wait_prepared(30)
+        problem = refused(service.http.post("/v1/sessions", json=session_body()), 503, "model-not-loadable")
+        assert "rotation.onnx" in problem["detail"]
+        assert service.http.get("/v1/sessions").json() == {"sessions": []}
 
 
 def test_unknown_category_names_the_known_ones(service: Running) -> None:

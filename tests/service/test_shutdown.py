@@ -16,6 +16,8 @@ import httpx
 import pytest
 import zenoh
 
+from service.settings import Settings
+from service.shutdown import FORCE_AFTER_S, STORE_WITHIN_S
 from service.sqlite_store import SqliteSessionStore
 from service.store import TrustedPose
 from tests.service.support import F32, Camera, blob, f32, free_endpoint, inbox, session_body, zenoh_client
@@ -131,6 +133,10 @@ def test_a_frame_that_hangs_holds_nobody_up(tmp_path: Path, by_http: bool) -> No
         assert service.process.wait(20) == 0
         assert service.trusted(neighbour["session_id"]).seq == 5
         assert service.trusted(hangs["session_id"]).seq is None
+
+
+def test_nobody_has_to_wait_longer_than_five_seconds_by_default() -> None:
+    assert Settings().shutdown_timeout_s + FORCE_AFTER_S + STORE_WITHIN_S < 5
 
 
 def post_frame(service: Slow, session_id: str, seq: int) -> httpx.Response:

@@ -6,6 +6,8 @@ import sys
 from dataclasses import fields
 from pathlib import Path
 
+from prometheus_client.parser import text_string_to_metric_families
+
 from service.liveness import CloseReason
 from service.rejections import FrameRejectedError, RequestRejectedError
 from service.results import Event, EventKind, PartPose, Result, Timing
@@ -36,6 +38,13 @@ def test_every_field_of_the_rest_api_is_listed(service: Running) -> None:
     fields = {(name, field) for name, schema in schemas.items() for field in schema.get("properties", {})}
     assert len(fields) > 50
     assert {(name, field) for name, field in fields if field not in named} == set()
+
+
+def test_every_metric_of_ours_is_listed(service: Running) -> None:
+    families = text_string_to_metric_families(service.http.get("/metrics").text)
+    ours = {f"{family.name}_total" if family.type == "counter" else family.name for family in families}
+    named = set(re.findall(r"`(captra_\w+)", TEXT))
+    assert {name for name in ours if name.startswith("captra_") and not name.endswith("_created")} == named
 
 
 def test_links_lead_to_headings() -> None:

@@ -23,7 +23,7 @@ from captra.evaluation.health_figures import (
 from captra.evaluation.health_report import HealthReport, as_json, draw_reliability, markdown, tables
 from captra.evaluation.incident_runner import Rehearsal, watch_all
 from captra.evaluation.incidents import INCIDENTS, LEAD, make_incident
-from captra.evaluation.prediction_rates import EveryNth, Rate, rates
+from captra.evaluation.prediction_rates import EveryNth, Rate, pooled, rates
 from captra.evaluation.sequences import Sequence
 from captra.evaluation.watching import Watched, watch
 from captra.evaluation.workers import Here
@@ -163,6 +163,15 @@ def test_every_third_frame_is_a_camera_at_a_third_of_the_rate() -> None:
     thin = EveryNth(Held(Sequence(recording, ())), 3).load().recording
     assert len(thin) == len(thin.labels) == len(thin.rotation) == 4
     assert np.diff(thin.stamps_ns).tolist() == [3 * 33_000_000] * 3
+
+
+def test_rates_of_several_categories_are_pooled_by_frames() -> None:
+    mug, can = Rate("mug", 10.0, "none", 30, 80.0, 2.0, 1.0), Rate("can", 10.0, "none", 10, 40.0, 6.0, 3.0)
+    assert list(pooled([mug, can, replace(mug, hertz=30.0), replace(can, prediction="some")])) == [
+        Rate("all", 10.0, "none", 40, 70.0, 3.0, 1.5),
+        Rate("all", 30.0, "none", 30, 80.0, 2.0, 1.0),
+        Rate("all", 10.0, "some", 10, 40.0, 6.0, 3.0),
+    ]
 
 
 def test_rates_are_measured_with_and_without_prediction() -> None:

@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 import stat
 import subprocess
 import sys
@@ -27,13 +28,26 @@ from tests.service.test_process import ROOT, entry, process, stream
 POSE = Pose.from_size(np.eye(3)[None], np.array([[0, 0, 0.5]]), np.full((1, 3), 0.1))
 
 
+def certify(folder: Path, *clients: str) -> None:
+    command = ["-m", "captra", "certify", str(folder), "--host", "localhost", "--host", "127.0.0.1"]
+    options = [word for name in clients for word in ("--client", name)]
+    subprocess.run([sys.executable, *command, *options], cwd=ROOT, check=True, capture_output=True)
+
+
 @pytest.fixture(scope="module")
 def keys(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("deployment") / "keys"
-    for clients in (["arm"], ["arm", "screen"]):  # the second time adds a client and keeps what is there
-        command = ["-m", "captra", "certify", str(folder), "--host", "localhost", "--host", "127.0.0.1"]
-        options = [word for name in clients for word in ("--client", name)]
-        subprocess.run([sys.executable, *command, *options], cwd=ROOT, check=True, capture_output=True)
+    certify(folder, "arm")
+    certify(folder, "arm", "screen", "visitor")  # adds clients and keeps what is there
+    return folder
+
+
+@pytest.fixture(scope="module")
+def foreign_keys(keys: Path) -> Path:
+    """Another authority's, for the same name, whose holder knows the service's authority."""
+    folder = keys.parent / "foreign"
+    certify(folder, "arm")
+    shutil.copy(keys / "ca.pem", folder / "ca.pem")
     return folder
 
 
@@ -50,17 +64,22 @@ def identity(monkeypatch: pytest.MonkeyPatch, keys: Path, name: str) -> Iterator
 
 def test_private_files_are_private(keys: Path) -> None:
     private = [*keys.rglob("*.key"), *keys.rglob("api-key")]
-    assert len(private) == 6
+    assert len(private) == 8
     for path in private:
         assert stat.S_IMODE(path.stat().st_mode) == 0o600, path
 
 
-def test_guarded_service_serves_its_clients_and_nobody_else(keys: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_guarded_service_serves_its_clients_and_nobody_else(
+    keys: Path, foreign_keys: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     http_port, zenoh_port = free_ports(2)
     settings = (keys / "captra.toml").read_text()
     only_watches = settings.replace('common_name = "screen"\nmay = "stream"', 'common_name = "screen"\nmay = "watch"')
     assert only_watches != settings
-    (keys / "test.toml").write_text(only_watches)
+    known, visitor, nobody = only_watches.rpartition('[[zenoh_access]]\ncommon_name = "visitor"')
+    assert visitor
+    assert nobody == '\nmay = "stream"\n'
+    (keys / "test.toml").write_text(known)
     endpoint = f"tls/127.0.0.1:{zenoh_port}"
     variables = {
         "CAPTRA_CONFIG": str(keys / "test.toml"),
@@ -76,11 +95,15 @@ def test_guarded_service_serves_its_clients_and_nobody_else(keys: Path, monkeypa
             httpx.get(f"{url}/v1/health/live")
         with pytest.raises(ServiceUnreachableError):
             connect((endpoint,), 1.0)  # without a certificate
+        with identity(monkeypatch, foreign_keys, "arm"), pytest.raises(ServiceUnreachableError):
+            connect((endpoint,), 1.0)  # with one that another authority gave
         with identity(monkeypatch, keys, "arm"), open_session("mug", POSE, url=url) as session:
             (result,) = session.track([blob((0.01, 0, 0.5))])
             assert result.parts[0].translation[0] == pytest.approx(0.01, abs=2e-3)
             with identity(monkeypatch, keys, "screen"), connect((endpoint,), 5.0) as screen:
                 watch_but_not_stream(session, screen)
+            with identity(monkeypatch, keys, "visitor"), connect((endpoint,), 5.0) as visiting:
+                neither_watch_nor_stream(session, visiting)
 
 
 def watch_but_not_stream(session: Session, screen: zenoh.Session) -> None:
@@ -93,6 +116,17 @@ def watch_but_not_stream(session: Session, screen: zenoh.Session) -> None:
         assert result.seq == seq
     assert poses.message(0)["session_id"] == session.session_id
     assert events == []  # a put that had arrived would have been rejected
+
+
+def neither_watch_nor_stream(session: Session, visiting: zenoh.Session) -> None:
+    """A certificate that no rule names connects, and that is all."""
+    stem = f"captra/default/sessions/{session.session_id}"
+    poses = inbox(visiting, f"{stem}/pose")
+    visiting.put(f"{stem}/cloud", b"\0" * 12, encoding="application/vnd.captra.cloud.f32")
+    events: list[Event] = []
+    assert len(list(session.track([blob((0.02, 0, 0.5))] * 5, on_event=events.append))) == 5
+    assert events == []
+    assert len(poses) == 0
 
 
 def refusal(**variables: str) -> str:
