@@ -15,6 +15,12 @@ from benchmarks.malformed import malformed_clouds
 from clients.service_process import free_ports
 from service.envelopes import ATTACHMENT
 
+FLOODED = {
+    "category": "mug",
+    "parts": [{"rotation": {"quat_xyzw": [0, 0, 0, 1]}, "translation": [0, 0, 0.5], "size": [0.1, 0.1, 0.1]}],
+    "idle_timeout_s": 3600,
+}
+"""The session to which malformed clouds go."""
 CONFIG = Path(__file__).resolve().parents[1] / "deploy" / "zenoh" / "router.json5"
 ROUTER = """
 import json, sys, zenoh

@@ -18,6 +18,8 @@ APART_M = 0.15
 """Between neighbours of a grid: less than the object, so that a session could take another one's cloud for its own."""
 WRONG_M = 0.05
 """An answer so far from the truth is wrong, whether it is another session's or none at all."""
+ANSWER_WITHIN_S = 10.0
+"""A cloud that has no answer by then is put again."""
 FRAMES = 60
 CLOUD_POINTS = 4000
 MODELS = Path(__file__).resolve().parents[1] / "models"

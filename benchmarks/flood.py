@@ -11,29 +11,22 @@ import sys
 import time
 from collections import Counter
 from contextlib import ExitStack, closing
-from typing import Annotated, Any
+from typing import Annotated
 
 import numpy as np
 import typer
 from rich.console import Console
-from rich.table import Table
 
-from benchmarks.faults import Flood, metrics
-from benchmarks.fleet import WRONG_M, mug_service, open_fleet, play_round
+from benchmarks.faults import FLOODED, Flood, metrics
+from benchmarks.fleet import ANSWER_WITHIN_S, WRONG_M, mug_service, open_fleet, play_round
+from benchmarks.verdict import tell
 from captra.bench.machine import this_machine
 from clients.rest import RestApi
 
-ANSWER_WITHIN_S = 10.0
 PAUSE_S = 0.5
 """Between rounds of the neighbours, so that most of the machine is left to the flood."""
 CAMERA = {"fx": 590, "fy": 590, "cx": 320, "cy": 240, "width": 640, "height": 480}
-FLOODED: dict[str, Any] = {
-    "category": "mug",
-    "parts": [{"rotation": {"quat_xyzw": [0, 0, 0, 1]}, "translation": [0, 0, 0.5], "size": [0.1, 0.1, 0.1]}],
-    "camera": CAMERA,
-    "idle_timeout_s": 3600,
-}
-"""It reads images too."""
+"""The flooded session reads images too."""
 REFUSED = re.compile(r'captra_(?:frames|requests)_rejected_total\{reason="(?P<reason>[^"]+)"\}')
 
 
@@ -53,7 +46,7 @@ def main(
     with ExitStack() as resources:
         service = resources.enter_context(mug_service(neighbours + 1))
         with closing(RestApi(service.url)) as api:
-            flooded = api.post_session(FLOODED)["session_id"]
+            flooded = api.post_session(FLOODED | {"camera": CAMERA})["session_id"]
         fleet = resources.enter_context(open_fleet(service.url, neighbours))
         before, started_s = refusals(service.url), time.monotonic()
         with Flood(service.url, flooded, rate_hz=np.inf) as flood:
@@ -74,11 +67,7 @@ def main(
         (f"answers to {neighbours} neighbours", f"{len(errors_m)}", len(errors_m) > 0),
         (f"of them more than {WRONG_M * 100:.0f} cm from their own truth", f"{wrong}", wrong == 0),
     ]
-    table = Table("what", "measured", "holds")
-    for what, measured, holds in lines:
-        table.add_row(what, measured, "yes" if holds else "NO")
-    console.print(table)
-    sys.exit(int(not all(holds for *_, holds in lines)))
+    sys.exit(tell(console, lines))
 
 
 if __name__ == "__main__":

@@ -23,24 +23,20 @@ from typing import Annotated
 import numpy as np
 import typer
 from rich.console import Console
-from rich.table import Table
 
-from benchmarks.faults import Flood, Router, is_open, kill_client, metrics, stalled_watcher
-from benchmarks.fleet import WRONG_M, Tracked, mug_service, open_fleet, play_round
+from benchmarks.faults import FLOODED, Flood, Router, is_open, kill_client, metrics, stalled_watcher
+from benchmarks.fleet import ANSWER_WITHIN_S, WRONG_M, Tracked, mug_service, open_fleet, play_round
+from benchmarks.verdict import Line, tell
 from captra.bench.machine import this_machine
 from clients.rest import RestApi
 from clients.service_process import ServiceProcess, free_ports
 
-ANSWER_WITHIN_S = 10.0
-"""A cloud that has no answer by then is put again."""
 GRACE_S = 30
 FROZEN_S = 4.0
 GROWTH = 0.10
 """By how much memory and file handles may grow between the second and the last quarter of the quiet time."""
 MALFORMED_HZ = 20.0
 LINES = 20
-FLOODED = {"rotation": {"quat_xyzw": [0, 0, 0, 1]}, "translation": [0, 0, 0.5], "size": [0.1, 0.1, 0.1]}
-"""Where the session is to which the malformed clouds go."""
 
 
 @dataclass
@@ -126,7 +122,7 @@ class Soak:
         return left
 
 
-def verdict(soak: Soak, flood: Flood) -> list[tuple[str, str, bool]]:
+def verdict(soak: Soak, flood: Flood) -> list[Line]:
     """Each line: what, measured, whether it holds."""
     errors_m = np.concatenate([each.errors_m for each in soak.fleet])
     wrong = int((errors_m > WRONG_M).sum())
@@ -170,7 +166,7 @@ def main(
         }
         service = resources.enter_context(mug_service(sessions + 3, **settings))
         with closing(RestApi(service.url)) as api:
-            flooded = api.post_session({"category": "mug", "parts": [FLOODED], "idle_timeout_s": 3600})["session_id"]
+            flooded = api.post_session(FLOODED)["session_id"]
         fleet = resources.enter_context(open_fleet(service.url, sessions))
         flood = resources.enter_context(Flood(service.url, flooded, MALFORMED_HZ))
         soak = Soak(service, router, fleet, console)
@@ -186,12 +182,8 @@ def main(
                 (0.50, "kill -9 of another client", soak.kill_client),
             ],
         )
-        lines = verdict(soak, flood)
-        table = Table("what", "measured", "holds")
-        for what, measured, holds in lines:
-            table.add_row(what, measured, "yes" if holds else "NO")
-        console.print(table)
-    sys.exit(int(not all(holds for *_, holds in lines)))
+        status = tell(console, verdict(soak, flood))
+    sys.exit(status)
 
 
 if __name__ == "__main__":

@@ -38,6 +38,8 @@ TOPICS = {
     BOXES: "/boxes",
     EDGES: "/box_edges",
 }
+SCHEMAS = {EDGES: POINTS}
+"""Of channels that are not called by their schema."""
 DEFAULT_FRAME_ID = "camera"
 """What the service calls the frame of a session that names none."""
 ANY_OBJECT = b'{"type": "object"}'
@@ -59,9 +61,8 @@ class SessionWriter:
         for name, topic in TOPICS.items():
             if name.startswith("captra."):
                 self._declare(name, "jsonschema", ANY_OBJECT, topic, "json")
-            elif name != EDGES:
+            else:
                 self._declare(name, "protobuf", schema(), topic, "protobuf")
-        self._declare(POINTS, "protobuf", schema(), TOPICS[EDGES], "protobuf", channel=EDGES)
         self._lock = threading.Lock()
         self._closed = False
         self._frame_id = DEFAULT_FRAME_ID
@@ -122,11 +123,9 @@ class SessionWriter:
                 self._writer.finish()  # type: ignore[no-untyped-call]
                 self._file.close()
 
-    def _declare(
-        self, name: str, schema_encoding: str, schema: bytes, topic: str, encoding: str, channel: str = ""
-    ) -> None:
-        number = self._writer.register_schema(name, schema_encoding, schema)
-        self._channels[channel or name] = self._writer.register_channel(topic, encoding, number)
+    def _declare(self, name: str, schema_encoding: str, schema: bytes, topic: str, encoding: str) -> None:
+        number = self._writer.register_schema(SCHEMAS.get(name, name), schema_encoding, schema)
+        self._channels[name] = self._writer.register_channel(topic, encoding, number)
 
     def _write(self, *messages: tuple[str, bytes]) -> None:
         """One message after the other, with none of another thread between them."""
