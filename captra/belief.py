@@ -49,11 +49,14 @@ class Persistence:
     """Probability that a right track is right in the next frame."""
     returns: float = 0.1
     """Probability that a wrong one is."""
+    news: float = 1.0
+    """Share of a frame's log odds that those before it did not tell: frames of one object look alike, and are doubted
+    for the same reason every time."""
 
     def updated(self, before: float, told: float) -> float:
         """The posterior."""
         prior = self.stays * before + self.returns * (1 - before)
-        return sigmoid(logit(prior) + logit(told) - logit(self.usual))
+        return sigmoid(logit(prior) + self.news * (logit(told) - logit(self.usual)))
 
     @property
     def calibration(self) -> dict[str, float]:

@@ -15,6 +15,7 @@ from captra.evidence import Evidence
 from captra.geometry import Pose
 from captra.joint_projection import JointProjection
 from captra.observations import Crop, Observation
+from captra.pose_memory import FoundError
 from captra.rotation_fusion import RotationFusion
 from captra.sampling import InputSampling, Neighborhoods, Profile, part_neighborhoods
 from captra.segmentation import NOTHING_KNOWN, Segmentation, overrule, without_background
@@ -44,6 +45,10 @@ class Networks(Protocol):
     @property
     def joint_projection(self) -> JointProjection:
         """How rotations are kept on the joints."""
+
+    @property
+    def found_error(self) -> FoundError:
+        """By how much the networks err on one object all the time."""
 
     @property
     def side_by_side(self) -> SideBySide:

@@ -5,7 +5,9 @@ off there, and in the same way frame after frame. Whoever gave the first pose kn
 of the difference is worth remembering.
 """
 
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, replace
+from typing import Any
 
 import numpy as np
 from jaxtyping import Bool, Float64
@@ -13,22 +15,41 @@ from jaxtyping import Bool, Float64
 from captra.categories import Category
 from captra.geometry import Pose, rotation_from_vector, rotation_vector
 
+CAUTION = 1.2
+"""How much worse than in the protocol a given pose is taken to be: what people give is not all of one kind."""
+
+PerAxis = tuple[tuple[float, float, float], ...]
+"""A number for x, y and z of every part; a single row is that of all parts."""
+
 
 @dataclass(frozen=True)
 class FoundError:
-    """By how much networks err on one object however often they look: standard deviations along or about each axis."""
+    """By how much networks err on one object however often they look: standard deviations, along or about each axis.
 
-    centre: float = 0.02
-    """In units of the scale."""
-    rotation_deg: float = 1.5
+    They differ widely: of a drawer only the front tells the depth, while its height is plain to see.
+    """
+
+    centre: PerAxis = ((0.02, 0.02, 0.02),)
+    """In units of the part's scale."""
+    rotation_deg: PerAxis = ((1.5, 1.5, 1.5),)
     """Degrees."""
 
+    @staticmethod
+    def measured(calibration: Mapping[str, Any]) -> "FoundError":
+        """What a manifest's `found_error` describes; the usual one where it was never measured."""
+        return FoundError(**{name: tuple(tuple(row) for row in rows) for name, rows in calibration.items()})
 
-NO_ERROR = FoundError(0.0, 0.0)
+    @property
+    def calibration(self) -> dict[str, Any]:
+        """What a manifest keeps: the inverse of `measured`."""
+        return asdict(self)
+
+
+NO_ERROR = FoundError(((0.0, 0.0, 0.0),), ((0.0, 0.0, 0.0),))
 """Of networks that are taken at their word."""
 
 USUAL_ERROR = FoundError()
-"""Of networks as they are: chosen on validation sequences of several categories."""
+"""Of networks that were not measured: chosen on validation sequences of several categories."""
 
 
 @dataclass(frozen=True)
@@ -56,8 +77,9 @@ class PoseMemory:
         offset = (to_part @ (given.translation - found.translation)[..., None])[..., 0]
         turn = rotation_vector(to_part @ given.rotation)
         usual = category.perturbation
-        offset_share = _share(offset, error.centre * given.scale[:, None], usual.translation_m)
-        turn_share = _share(turn, np.radians(error.rotation_deg), np.radians(usual.rotation_deg))
+        centre_error, rotation_error = np.array(error.centre) * given.scale[:, None], np.radians(error.rotation_deg)
+        offset_share = _share(offset, centre_error, CAUTION * usual.translation_m)
+        turn_share = _share(turn, rotation_error, CAUTION * np.radians(usual.rotation_deg))
         return PoseMemory(offset_share * offset, turn_share * turn)
 
     def apply(self, found: Pose, fitted: Bool[np.ndarray, " parts"]) -> Pose:
@@ -72,16 +94,16 @@ class PoseMemory:
 
 
 def _share(
-    difference: Float64[np.ndarray, "parts 3"], found_error: Float64[np.ndarray, "parts 1"] | float, given_error: float
-) -> Float64[np.ndarray, "parts 1"]:
+    difference: Float64[np.ndarray, "parts 3"], found_error: Float64[np.ndarray, "#parts 3"], given_error: float
+) -> Float64[np.ndarray, "parts 3"]:
     """How much of a difference to put down to the networks; one that is too large for both is the given pose's fault.
 
     Args:
         difference: along or about each axis.
-        found_error: standard deviation along one axis of what networks find.
+        found_error: standard deviation of what networks find, along or about each axis.
         given_error: standard deviation of the length of the error of a given pose.
     """
     found_variance, usual_variance = np.square(found_error), given_error**2 / 3
-    expected = 3 * (found_variance + usual_variance)
+    expected = (found_variance + usual_variance).sum(axis=1, keepdims=True)
     given_variance = usual_variance * (1 + np.square(difference).sum(axis=1, keepdims=True) / (4 * expected))
     return np.asarray(found_variance / (found_variance + given_variance))

@@ -1,5 +1,9 @@
-"""Where to look while a track does not hold: where it was last found, and around the last pose that was trusted."""
+"""Where to look while a track does not hold.
 
+Where it was last found, around the last pose that was trusted, and on from the most promising of what was seen there.
+"""
+
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Protocol
 
@@ -14,6 +18,9 @@ REACH_M = 0.06
 
 TURN_RAD = np.radians(15.0)
 """Angle of the turns that go with them."""
+
+START_REACH = 4 / 3
+"""Length of the shifts around a given pose, in units of the standard deviation of its centre."""
 
 FEWEST_LOOKS, MOST_LOOKS = 2, 8
 """What a search may take a frame: one look would never go anywhere but where the object was lost."""
@@ -73,6 +80,16 @@ def _directions() -> Float64[np.ndarray, "14 3"]:
 
 
 @dataclass(frozen=True)
+class Lead:
+    """Something found by a search that does not convince yet: another look from there may."""
+
+    pose: Pose
+    """Where it was found."""
+    promise: float
+    """Confidence that the look gave it."""
+
+
+@dataclass(frozen=True)
 class Search:
     """What is known of an object that may be lost."""
 
@@ -80,21 +97,45 @@ class Search:
     """The last pose that was worth going back to."""
     turn: int = 0
     """Where in the round of shifts the search stands."""
+    lead: Lead | None = None
+    """What to look at again."""
+
+    def starts(self, given_error_m: float, looks: int) -> Iterator[Pose]:
+        """Where to look for an object whose pose was given: there, and if there may be a search also beside it.
+
+        Args:
+            given_error_m: standard deviation of the centre of a given pose.
+            looks: those of later frames; one means no search.
+        """
+        yield self.trusted
+        if looks > 1:
+            for shift in START_REACH * given_error_m * _directions():
+                yield replace(self.trusted, translation=self.trusted.translation + shift)
 
     def hypotheses(self, expected: Pose, state: State, looks: int) -> tuple[Pose, ...]:
         """Poses to look around, most promising first, at most `looks` of them."""
         if state is State.TRACKING:
             return (expected,)
+        known = (expected, self.trusted) if self.lead is None else (expected, self.lead.pose, self.trusted)
         if state is State.UNCERTAIN:
-            return (expected, self.trusted)[:looks]
-        shifted = [self._shifted(self.turn + i) for i in range(max(0, looks - 2))]
-        return (expected, self.trusted, *shifted)[:looks]
+            return known[:looks]
+        shifted = [self._shifted(self.turn + i) for i in range(self._shifts(looks))]
+        return (*known, *shifted)[:looks]
 
-    def updated(self, pose: Pose, state: State, looks: int) -> "Search":
+    def led_by(self, sightings: Sequence[Lead]) -> Lead | None:
+        """What to look at again, of what was found beside the expected pose: the best, as long as it gets better."""
+        best = max(sightings, key=lambda lead: lead.promise, default=None)
+        before = 0.0 if self.lead is None else self.lead.promise
+        return best if best is not None and best.promise > before else None
+
+    def updated(self, pose: Pose, state: State, looks: int, lead: Lead | None = None) -> "Search":
         """The search after one more frame."""
         if state is State.TRACKING:
             return Search(pose)
-        return replace(self, turn=self.turn + max(0, looks - 2))
+        return replace(self, turn=self.turn + self._shifts(looks), lead=lead)
+
+    def _shifts(self, looks: int) -> int:
+        return max(0, looks - (2 if self.lead is None else 3))
 
     def _shifted(self, index: int) -> Pose:
         """The trusted pose elsewhere and turned; rounds go outwards."""

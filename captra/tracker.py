@@ -1,6 +1,6 @@
 """One step of the method: the last pose and a new cloud in, the new pose of every part out (paper, Fig. "pipeline")."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -16,12 +16,16 @@ from captra.looking import Networks, Sighting, StepTiming, look
 from captra.motion import STANDING_STILL, MotionModel
 from captra.observations import Observation, PointCloud
 from captra.output_filter import UNFILTERED, OutputFilter
-from captra.pose_memory import USUAL_ERROR, FoundError, PoseMemory
-from captra.recovery import NO_SEARCH, Search, SearchBudget
+from captra.pose_memory import FoundError, PoseMemory
+from captra.recovery import NO_SEARCH, Lead, Search, SearchBudget
 from captra.sampling import NoPointsError
 from captra.segmentation import NOTHING_KNOWN, Segmentation
 from captra.size_memory import GIVEN_ERROR, SizeMemory
+from captra.slides import NO_SLIDES, Slides
 from captra.solving import hold_gauge
+
+LOOKS_AT_START = 2
+"""What the first look leaves of a given pose's error is put down to the networks unless another follows."""
 
 
 @dataclass(frozen=True)
@@ -56,8 +60,9 @@ class TrackerOptions:
     """Smooths what is published; never fed back."""
     given_size_error: float = GIVEN_ERROR
     """Standard deviation of the logarithm of the size of a given pose; at 0 it is taken for known."""
-    found_error: FoundError = USUAL_ERROR
-    """Of poses as networks find them: the larger, the more of the difference to the given pose is remembered."""
+    found_error: FoundError | None = None
+    """Of poses as networks find them: the larger, the more of the difference to the given pose is remembered; by
+    default what the networks come with."""
 
 
 class Tracker:
@@ -107,6 +112,7 @@ class Tracker:
         self._given = True  # and rough: the first look may well find the object elsewhere
         self._size = SizeMemory.of(pose, self._options.given_size_error)
         self._memory = PoseMemory.nothing_known(pose.num_parts)
+        self._slides = NO_SLIDES
         self._health = self._health.restarted()
         self._motion = self._options.motion.restarted(pose)
         self._search = Search(pose)
@@ -137,31 +143,47 @@ class Tracker:
         """
         observation = PointCloud.of(observed) if isinstance(observed, np.ndarray) else observed
         self._looks = self._options.search.looks() if looks is None else looks
-        around = self._search.hypotheses(self._motion.expected(time_s), self._health.state, self._looks)
-        best = self._choose(self._look(observation, segmentation, around))
+        sightings = self._look(observation, segmentation, self._hypotheses(time_s))
+        best, lead = self._choose(sightings), self._search.led_by([self._lead(one) for one in sightings[1:]])
         self._health = self._health.updated(self._health.confidence_of(best.evidence))
         self._pose, self._given = self._placed(best), False
         self._motion = self._motion.observed(self._pose, time_s, trusted=self._health.trusted)
-        self._search = self._search.updated(self._pose, self._health.state, self._looks)
+        self._search = self._search.updated(self._pose, self._health.state, self._looks, lead)
         published, self._filter = self._filter.filtered(self._published(), time_s)
         joints = joint_values(published, self._category)
         return TrackResult(published, self._health.state, self._health.confidence, joints, best.evidence, best.timing)
 
-    def _look(self, observation: Observation, segmentation: Segmentation, around: Sequence[Pose]) -> Sequence[Sighting]:
-        """Look around every pose near which there are points."""
+    def _hypotheses(self, time_s: float | None) -> Iterable[Pose]:
+        """Where to look: around a given pose, and later where the object is expected."""
+        if self._given:
+            return self._search.starts(self._category.perturbation.translation_m, self._looks)
+        return self._search.hypotheses(self._motion.expected(time_s), self._health.state, self._looks)
+
+    def _look(self, observation: Observation, segmentation: Segmentation, around: Iterable[Pose]) -> Sequence[Sighting]:
+        """Look around every pose near which there are points; beside a given pose only if it leads nowhere itself."""
         sightings, refusal = list[Sighting](), NoPointsError()
         for pose in around:
             try:
-                sightings.append(look(self._networks, observation, pose, segmentation, self._options.projection))
+                sightings.append(self._settle(observation, segmentation, pose))
             except NoPointsError as error:
                 refusal = error
-            else:
-                self._options.search.spent(sightings[-1].timing.total_ms)
+            if self._given and (not sightings or self._told(sightings[-1]) >= self._health.trust_above):
+                break
         if not sightings:
             self._health = self._health.missed()
             self._search = self._search.updated(self._pose, self._health.state, self._looks)
             raise refusal
         return sightings
+
+    def _settle(self, observation: Observation, segmentation: Segmentation, around: Pose) -> Sighting:
+        """Look once, or a second time from where a given pose led, which is as rough as none after it."""
+        timings = list[StepTiming]()
+        for _ in range(LOOKS_AT_START if self._given else 1):
+            found = look(self._networks, observation, around, segmentation, self._options.projection)
+            self._options.search.spent(found.timing.total_ms)
+            timings.append(found.timing)
+            around, _ = self._sized(found)
+        return replace(found, timing=StepTiming.sum(timings))
 
     def _choose(self, sightings: Sequence[Sighting]) -> Sighting:
         """The best one if it convinces, else the first, which goes on from the last pose; with the time of all of them.
@@ -169,22 +191,37 @@ class Tracker:
         Among poses that nobody would trust the best is no better than chance, and would lead astray a track that is
         only doubted.
         """
-        told = [self._health.confidence_of(sighting.evidence.without_jumps()) for sighting in sightings]
-        chosen = int(np.argmax(told))
-        best = sightings[chosen if told[chosen] >= self._health.trust_above else 0]
+        best = max(sightings, key=self._told)
+        best = best if self._told(best) >= self._health.trust_above else sightings[0]
         evidence = best.evidence.without_jumps() if self._given else best.evidence
         return replace(best, evidence=evidence, timing=StepTiming.sum(sighting.timing for sighting in sightings))
 
-    def _placed(self, found: Sighting) -> Pose:
-        """What was found, in the gauge, at the size and with the offset that the track remembers, around the points."""
+    def _told(self, sighting: Sighting) -> float:
+        """Confidence of one look by itself, wherever it looked."""
+        return self._health.confidence_of(sighting.evidence.without_jumps())
+
+    def _lead(self, sighting: Sighting) -> Lead:
+        """What another look may go on from."""
+        return Lead(self._sized(sighting)[0], self._told(sighting))
+
+    def _sized(self, found: Sighting) -> tuple[Pose, SizeMemory]:
+        """What was found, in the gauge, at the size that the track would remember after it, around the points."""
         pose = hold_gauge(found.pose, self._pose, self._category)
-        credible = self._health.state in (State.TRACKING, State.UNCERTAIN)
-        if credible:
-            self._size = self._size.updated(pose)
-        pose = contained(self._size.apply(pose, found.evidence.centroid), found.evidence)
-        if credible and self._given:
-            self._memory = PoseMemory.between(self._pose, pose, self._category, self._options.found_error)
-        return self._memory.apply(pose, found.evidence.fitted)
+        size = self._size.updated(pose) if self._credible else self._size
+        return contained(size.apply(pose, found.evidence.centroid), found.evidence), size
+
+    def _placed(self, found: Sighting) -> Pose:
+        """Where the object is believed to be: what was found, and what the given pose told that cannot be seen."""
+        pose, self._size = self._sized(found)
+        if self._credible and self._given:
+            error = self._options.found_error or self._networks.found_error
+            self._memory = PoseMemory.between(self._pose, pose, self._category, error)
+            self._slides = Slides.through(self._memory.apply(pose, found.evidence.fitted), self._category)
+        return self._slides.apply(self._memory.apply(pose, found.evidence.fitted))
+
+    @property
+    def _credible(self) -> bool:
+        return self._health.state in (State.TRACKING, State.UNCERTAIN)
 
     def _published(self) -> Pose:
         """The last pose, or the last trusted one as long as a search has found nothing better.

@@ -8,7 +8,16 @@ from typing import Any
 from captra.runtime.bundle import BundleError, Manifest
 from export.bundles import unchanged
 
-SETTABLE = ("training", "scores", "health", "input_sampling", "rotation_input", "rotation_fusion", "joint_projection")
+SETTABLE = (
+    "training",
+    "scores",
+    "health",
+    "found_error",
+    "input_sampling",
+    "rotation_input",
+    "rotation_fusion",
+    "joint_projection",
+)
 
 
 def with_notes(path: Path | None) -> Callable[[Manifest], Manifest]:

@@ -9,6 +9,7 @@ from captra.canonical import canonicalize, decanonicalize
 from captra.categories import Category, get_category
 from captra.geometry import Pose, axis_angle
 from captra.joint_projection import UNPROJECTED, JointProjection
+from captra.pose_memory import USUAL_ERROR, FoundError
 from captra.rotation_fusion import ROTATION_NET_ALONE, RotationFusion
 from captra.sampling import REALTIME, InputSampling, Neighborhoods, Profile
 from captra.side_by_side import IN_TURN, SideBySide
@@ -25,6 +26,7 @@ class OracleNetworks:
     input_sampling: InputSampling = field(default_factory=InputSampling)
     rotation_fusion: RotationFusion = ROTATION_NET_ALONE
     joint_projection: JointProjection = UNPROJECTED
+    found_error: FoundError = USUAL_ERROR
     side_by_side: SideBySide = IN_TURN
 
     def coordinates(self, points_canonical: np.ndarray, neighborhoods: Neighborhoods) -> tuple[np.ndarray, np.ndarray]:

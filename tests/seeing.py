@@ -8,6 +8,7 @@ import numpy as np
 from captra.categories import Category
 from captra.geometry import Pose, axis_angle
 from captra.joint_projection import UNPROJECTED, JointProjection
+from captra.pose_memory import USUAL_ERROR, FoundError
 from captra.rotation_fusion import ROTATION_NET_ALONE, RotationFusion
 from captra.sampling import InputSampling, Neighborhoods, Profile
 from captra.side_by_side import IN_TURN, SideBySide
@@ -72,6 +73,7 @@ class SeeingNetworks:
     input_sampling: InputSampling = field(default_factory=InputSampling)
     rotation_fusion: RotationFusion = ROTATION_NET_ALONE
     joint_projection: JointProjection = UNPROJECTED
+    found_error: FoundError = USUAL_ERROR
     side_by_side: SideBySide = IN_TURN
 
     def coordinates(self, points_canonical: np.ndarray, neighborhoods: Neighborhoods) -> tuple[np.ndarray, np.ndarray]:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from captra.belief import Persistence
+from captra.evaluation.belief_fit import fit_belief
 from captra.evaluation.calibration import Observations, fit_confidence, observations
 from captra.evaluation.incident_runner import Rehearsal, watch_all
 from captra.evaluation.incidents import BRIEF, INCIDENTS
@@ -43,7 +43,8 @@ def monitor_of(watched: Sequence[Watched]) -> HealthMonitor:
     """The monitor that fits these tracks: what single frames tell, then thresholds on what is believed of them."""
     found = observations(watched)
     usual = float(np.clip(found.correct.all(axis=1).mean(), LEAST_USUAL, 1 - LEAST_USUAL))
-    return choose_thresholds(fit_confidence(found), watched, Persistence(usual))
+    model = fit_confidence(found)
+    return choose_thresholds(model, watched, fit_belief(model, watched, usual))
 
 
 def faults(index: int) -> tuple[str, ...]:

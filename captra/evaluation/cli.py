@@ -131,6 +131,7 @@ def fuse(
     category: Categories = None,
     sequences: Annotated[int, typer.Option(help="Procedural validation sequences per category.", min=1)] = 8,
     frames: Annotated[int, typer.Option(help="Of each.")] = 60,
+    instances: Annotated[int, typer.Option(help="Objects on which lasting errors are measured.", min=2)] = 24,
     models: Models = DEFAULT_MODELS,
     profile: ProfileName = "realtime",
     provider: Provider = "cpu",
@@ -139,13 +140,17 @@ def fuse(
 ) -> None:
     """Choose on validation sequences how a bundle's opinions on rotations become one, and note it in the manifest.
 
+    Also measures by how much poses stay wrong on one object: so much is made up for by the given pose.
+
     Example: captra fuse --category mug
     """
+    from dataclasses import replace
     from functools import partial
 
     from rich.console import Console
 
-    from captra.evaluation.fusion_choice import choose, measure
+    from captra.evaluation.found_errors import describe, measure_found_error
+    from captra.evaluation.fusion_choice import FusedNetworks, choose, measure
     from captra.evaluation.sequence_cache import SequenceCache
     from captra.evaluation.sequences import VALIDATION_SEED
     from captra.evaluation.sequences import procedural as unseen
@@ -160,8 +165,12 @@ def fuse(
             networks = exported(models, name, profile, provider, max(1, available_cores() // jobs))
             sources = list(unseen(name, sequences, kept, frames, VALIDATION_SEED))
             best, means = choose(name, partial(measure, networks, sources, pool))
-            write_manifest(models / name, best.set_in(load_manifest(models / name)))
+            objects = list(unseen(name, instances, kept, first_seed=VALIDATION_SEED))
+            error = measure_found_error(FusedNetworks(networks, best), objects, pool)
+            manifest = replace(best.set_in(load_manifest(models / name)), found_error=error.calibration)
+            write_manifest(models / name, manifest)
             console.print(table(means, f"{name}: {best.name} is in the manifest now"))
+            console.print(f"{name}: {describe(error)}")
 
 
 def with_models(categories: list[str] | None, models: Path) -> list[str]:

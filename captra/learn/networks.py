@@ -12,6 +12,7 @@ from captra.joint_projection import UNPROJECTED, JointProjection
 from captra.learn.coordinate_net import CoordinateNet
 from captra.learn.pointnet2 import TorchNeighborhoods
 from captra.learn.rotation_net import RotationNet
+from captra.pose_memory import USUAL_ERROR, FoundError
 from captra.rotation_fusion import ROTATION_NET_ALONE, RotationFusion
 from captra.sampling import InputSampling, Neighborhoods, Profile
 from captra.side_by_side import IN_TURN, SideBySide
@@ -35,6 +36,8 @@ class TorchNetworks:
     """Whose word counts for rotations."""
     joint_projection: JointProjection = UNPROJECTED
     """How rotations are kept on the joints."""
+    found_error: FoundError = USUAL_ERROR
+    """By how much the networks err on one object all the time."""
     side_by_side: SideBySide = IN_TURN
     """PyTorch takes all cores by itself."""
     rotation_share: float = 1.0

@@ -96,6 +96,9 @@ class Manifest:
     joint_projection: str = "free"
     """How rotations are kept on the joints: a name of `captra.joint_projection.JOINT_PROJECTIONS`; older manifests do
     not say it and leave every part free."""
+    found_error: Mapping[str, Any] = field(default_factory=dict)
+    """By how much the networks err on one object all the time, as `captra.pose_memory.FoundError.measured` reads it;
+    older manifests do not say it."""
     health: Mapping[str, Any] = field(default_factory=dict)
     """Calibration of the confidence on these networks, as `captra.health.HealthMonitor.calibrated` reads it."""
     format: int = FORMAT
@@ -124,6 +127,7 @@ class Manifest:
             content["parts"] = tuple(content["parts"])
             content.setdefault("rotation_share", 1.0)
             content.setdefault("joint_projection", "free")
+            content.setdefault("found_error", {})
             if content["joint_projection"] not in JOINT_PROJECTIONS:
                 raise BundleError(f"its joint projection {content['joint_projection']!r} is unknown: {_ADVICE}")
             if content["rotation_fusion"] not in ROTATION_FUSIONS:

@@ -10,6 +10,7 @@ from jaxtyping import Float32
 
 from captra.categories import Category, get_category
 from captra.joint_projection import JOINT_PROJECTIONS, JointProjection
+from captra.pose_memory import FoundError
 from captra.rotation_fusion import ROTATION_FUSIONS, RotationFusion
 from captra.runtime.bundle import COORDINATE, ROTATION, BundleError, Manifest, load_manifest, verify
 from captra.runtime.cores import available_cores
@@ -100,6 +101,11 @@ class OnnxNetworks:
     def joint_projection(self) -> JointProjection:
         """How rotations are kept on the joints."""
         return JOINT_PROJECTIONS[self.manifest.joint_projection]
+
+    @property
+    def found_error(self) -> FoundError:
+        """By how much the networks err on one object all the time."""
+        return FoundError.measured(self.manifest.found_error)
 
     def coordinates(
         self, points_canonical: Float32[np.ndarray, "points 3"], neighborhoods: Neighborhoods

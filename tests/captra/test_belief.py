@@ -39,6 +39,13 @@ def test_middling_frames_neither_end_a_track_at_once_nor_bring_one_back() -> Non
     assert after(belief, 0.0, *[0.5] * 3) < 0.3
 
 
+def test_the_less_is_new_the_less_a_row_of_doubtful_frames_says() -> None:
+    believed = [after(Persistence(0.7, news=news), 1.0, *[0.4] * 30) for news in (1.0, 0.5, 0.2)]
+    assert believed[0] < 0.1
+    assert believed[0] < believed[1] < believed[2]
+    assert believed[2] > 0.25
+
+
 def test_bad_frames_end_a_track_and_good_ones_bring_it_back_within_a_few() -> None:
     belief = Persistence()
     assert after(belief, 1.0, 0.01) < 0.2
@@ -50,7 +57,7 @@ def test_a_frame_that_is_certain_is_not_the_last_word() -> None:
     assert after(Persistence(), 1.0, 0.0, *[1.0] * 3) > 0.9
 
 
-@pytest.mark.parametrize("belief", [FORGETFUL, Persistence(0.5, 0.9, 0.2)])
+@pytest.mark.parametrize("belief", [FORGETFUL, Persistence(0.5, 0.9, 0.2, 0.4)])
 def test_a_manifest_gives_the_belief_back(belief: Persistence) -> None:
     assert belief_of(belief.calibration) == belief
 

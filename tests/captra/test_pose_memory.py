@@ -1,3 +1,4 @@
+import json
 from dataclasses import replace
 
 import numpy as np
@@ -8,7 +9,7 @@ from hypothesis import strategies as st
 from captra.categories import Category, get_category
 from captra.geometry import Pose, axis_angle
 from captra.metrics import rotation_error_deg
-from captra.pose_memory import NO_ERROR, PoseMemory
+from captra.pose_memory import NO_ERROR, USUAL_ERROR, FoundError, PoseMemory
 from captra.tracker import Tracker
 from tests.oracle import OracleNetworks, scene
 
@@ -38,6 +39,25 @@ def test_what_networks_cannot_see_of_a_cabinet_is_taken_from_the_given_pose_wher
     for where, there in ((true, found), (moved(true), moved(found))):
         left = np.linalg.norm(memory.apply(there, np.ones(4, bool)).translation - where.translation, axis=1)
         assert (left < 0.01).all()
+
+
+@given(st.integers(0, 9))
+def test_what_is_measured_of_an_axis_counts_for_that_axis_alone(seed: int) -> None:
+    true = pose(4, 0.8, seed)
+    error = FoundError(((0.0, 0.0, 0.05),) * 4, ((0.0, 6.0, 0.0),) * 4)
+    off = axis_angle(np.array([1.0, 1.0, 0.0]), np.radians(4.0))
+    found = off_by(replace(true, rotation=true.rotation @ off), np.array([0.02, 0.0, 0.02]))
+    memory = PoseMemory.between(true, found, DRAWERS, error)
+    assert np.abs(memory.offset_part[:, :2]).max() < 1e-12
+    assert np.abs(memory.turn_part[:, [0, 2]]).max() < 1e-12
+    assert (memory.turn_part[:, 1] < np.radians(-1.5)).all()
+    assert (np.abs(memory.offset_part[:, 2]) > 0.01).all()
+
+
+def test_what_a_manifest_says_is_read_and_what_it_does_not_say_is_usual() -> None:
+    error = FoundError(((0.01, 0.02, 0.03),), ((1.0, 2.0, 3.0),))
+    assert FoundError.measured(json.loads(json.dumps(error.calibration))) == error
+    assert FoundError.measured({}) == USUAL_ERROR
 
 
 def test_of_a_small_object_networks_know_the_centre_better_than_people() -> None:
@@ -105,7 +125,6 @@ def test_a_track_remembers_the_given_centre_until_it_is_given_another(again: boo
         tracker.step(8 * cloud)
         tracker.reset(truth)
     for _ in range(5):
-        networks.last = tracker.pose
         found = tracker.step(8 * cloud).pose
     error = np.einsum("pji,pj->pi", truth.rotation, found.translation - truth.translation)
     np.testing.assert_allclose(error[:, 2], 0.0 if again else 0.015, atol=0.005)

@@ -1,11 +1,11 @@
 import numpy as np
 import pytest
 
+from captra.confidence import UNCALIBRATED, ConfidenceModel
 from captra.geometry import Pose, rotation_angle
 from captra.health import HealthMonitor, State
-from captra.looking import Sighting
 from captra.output_filter import OneEuro
-from captra.recovery import FEWEST_LOOKS, MOST_LOOKS, LookBudget, Search, TimeBudget
+from captra.recovery import FEWEST_LOOKS, MOST_LOOKS, Lead, LookBudget, Search, TimeBudget
 from captra.sampling import NoPointsError
 from captra.tracker import Tracker, TrackerOptions
 from tests.oracle import OracleNetworks, scene
@@ -26,6 +26,35 @@ def test_the_budget_is_kept_and_the_last_trusted_pose_is_among_the_first(state: 
     assert around[0] is THERE
     if looks > 1:
         assert around[1] is HERE
+
+
+def test_what_looks_better_every_time_is_looked_at_again_before_other_places() -> None:
+    search = Search(HERE).updated(THERE, State.LOST, 4, Lead(THERE, 0.2))
+    around = search.hypotheses(HERE, State.LOST, 4)
+    assert around[1] is THERE
+    assert len({pose.translation.tobytes() for pose in around}) == 3
+    assert search.hypotheses(HERE, State.UNCERTAIN, 2) == (HERE, THERE)
+    assert search.led_by([Lead(HERE, 0.1), Lead(THERE, 0.3), Lead(HERE, 0.25)]) == Lead(THERE, 0.3)
+    assert search.led_by([Lead(THERE, 0.15)]) is None
+    assert search.led_by([]) is None
+    assert search.updated(THERE, State.TRACKING, 4, Lead(THERE, 0.3)) == Search(THERE)
+
+
+def test_a_search_on_a_lead_leaves_no_place_out() -> None:
+    plain, led = (Search(HERE).updated(HERE, State.LOST, 5, lead) for lead in (None, Lead(THERE, 0.2)))
+    assert [search.updated(HERE, State.LOST, 5).turn - search.turn for search in (plain, led)] == [3, 2]
+    np.testing.assert_array_equal(
+        led.hypotheses(HERE, State.LOST, 5)[3].translation, plain.hypotheses(HERE, State.LOST, 5)[2].translation
+    )
+
+
+@pytest.mark.parametrize("looks", [1, 2, 8])
+def test_a_given_pose_comes_first_and_if_there_is_a_search_all_around_it(looks: int) -> None:
+    starts = list(Search(HERE).starts(0.03, looks))
+    assert starts[0] is HERE
+    assert len(starts) == (1 if looks == 1 else 15)
+    shifts = np.array([start.translation[0] - HERE.translation[0] for start in starts[1:]]).reshape(-1, 3)
+    np.testing.assert_allclose(np.linalg.norm(shifts, axis=1), 0.04)
 
 
 def test_a_search_goes_round_and_outwards() -> None:
@@ -75,16 +104,8 @@ def tracker_of(moved_m: float, looks: int) -> tuple[Tracker, np.ndarray, Pose, P
     truth = Pose(start.rotation, start.translation + shift, start.scale, start.size)
     networks = Following(category, truth, start)
 
-    class Watching(Tracker):
-        def _look(self, observation, segmentation, around):  # type: ignore[no-untyped-def]
-            found: list[Sighting] = []
-            for pose in around:
-                networks.last = pose
-                found += super()._look(observation, segmentation, [pose])
-            return found
-
     monitor = HealthMonitor(state=State.LOST)
-    tracker = Watching(networks, start, monitor, TrackerOptions(search=LookBudget(looks)))
+    tracker = Tracker(networks, start, monitor, TrackerOptions(search=LookBudget(looks)))
     tracker._health = monitor
     return tracker, (cloud + shift).astype(np.float32), truth, start
 
@@ -97,6 +118,59 @@ def test_an_object_elsewhere_is_found_again_by_searching_and_not_without() -> No
     assert rotation_angle(tracker.pose.rotation[0].T @ truth.rotation[0]) < 0.02
     patient, cloud, _, _ = tracker_of(0.08, looks=1)
     assert {patient.step(cloud).state for _ in range(14)} == {State.LOST}
+
+
+class Approaching(OracleNetworks):
+    """From nearby it sees the object; from a little farther away only that it is there, and not quite where."""
+
+    def coordinates(self, points_canonical, neighborhoods):  # type: ignore[no-untyped-def]
+        segmentation, coordinates = super().coordinates(points_canonical, neighborhoods)
+        away = np.linalg.norm(self.last.translation[0] - self.truth.translation[0])
+        vague = 0.0 if away < 0.02 else 0.12 if away < 0.08 else 0.5
+        noise = np.random.default_rng(0).uniform(-vague, vague, coordinates.shape)
+        return segmentation, np.clip(coordinates + noise, -0.5, 0.5).astype(np.float32)
+
+
+def approached(given_off_m: float, looks: int) -> tuple[Tracker, np.ndarray, Pose]:
+    """A tracker before its first step, of an object that is `given_off_m` from where it was given."""
+    category, truth, cloud = scene("camera", np.random.default_rng(12))
+    start = Pose(truth.rotation, truth.translation + [given_off_m, 0, 0], truth.scale, truth.size)
+    monitor = HealthMonitor(ConfidenceModel(7.3, UNCALIBRATED), doubt_below=0.3, trust_above=0.8)
+    options = TrackerOptions(search=LookBudget(looks))
+    return Tracker(Approaching(category, truth, start), start, monitor, options), cloud, truth
+
+
+def test_where_a_rough_pose_leads_another_look_is_taken_in_the_same_frame() -> None:
+    tracker, cloud, truth = approached(0.07, looks=1)
+    assert tracker.step(cloud).state is State.TRACKING
+    np.testing.assert_allclose(tracker.pose.translation, truth.translation, atol=5e-3)
+
+
+def test_a_given_pose_that_leads_nowhere_is_searched_around_at_once() -> None:
+    tracker, cloud, truth = approached(0.1, looks=4)
+    assert tracker.step(cloud).state is State.TRACKING
+    np.testing.assert_allclose(tracker.pose.translation, truth.translation, atol=5e-3)
+    alone, cloud, _ = approached(0.1, looks=1)
+    assert State.TRACKING not in [alone.step(cloud).state for _ in range(6)]
+
+
+def frames_until_found(led: bool, monkeypatch: pytest.MonkeyPatch) -> int:
+    """After an object that was tracked is suddenly elsewhere, too far for any one look."""
+    if not led:
+        monkeypatch.setattr(Search, "led_by", lambda *_: None)
+    tracker, cloud, truth = approached(0.0, looks=5)
+    tracker.step(cloud)
+    shift = np.array([0.075, 0.06, 0.05])
+    networks = tracker._networks
+    networks.truth = Pose(truth.rotation, truth.translation + shift, truth.scale, truth.size)  # type: ignore[attr-defined]
+    states = [tracker.step((cloud + shift).astype(np.float32)).state for _ in range(40)]
+    return states.index(State.TRACKING, 2)
+
+
+def test_a_lead_is_followed_until_it_convinces(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert frames_until_found(True, monkeypatch) < 12
+    with pytest.raises(ValueError, match="not in list"):
+        frames_until_found(False, monkeypatch)
 
 
 def test_the_last_trusted_pose_is_published_while_nothing_is_found() -> None:

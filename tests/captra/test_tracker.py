@@ -143,7 +143,6 @@ def test_a_given_pose_may_be_rough_but_the_next_leap_counts() -> None:
     networks = OracleNetworks(category, truth, start)
     tracker = Tracker(networks, start)
     assert tracker.step(cloud).evidence.parts[0].translation_jump == 0
-    networks.last = tracker.pose
     networks.truth = replace(truth, translation=truth.translation + [0.03, 0.0, 0.0])
     assert tracker.step((cloud + [0.03, 0.0, 0.0]).astype(np.float32)).evidence.parts[0].translation_jump > 0.05
     tracker.reset(tracker.pose)

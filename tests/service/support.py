@@ -18,6 +18,7 @@ from zenoh import ext
 from captra import sampling
 from captra.categories import CATEGORIES, Category
 from captra.joint_projection import UNPROJECTED
+from captra.pose_memory import USUAL_ERROR
 from captra.rotation_fusion import ROTATION_NET_ALONE
 from captra.sampling import InputSampling, Neighborhoods, Profile
 from captra.side_by_side import IN_TURN
@@ -51,6 +52,7 @@ class CentreNetworks:
         self.input_sampling = InputSampling()
         self.rotation_fusion = ROTATION_NET_ALONE
         self.joint_projection = UNPROJECTED
+        self.found_error = USUAL_ERROR
         self.side_by_side = IN_TURN
         self.doubtful = False
         self.broken = False

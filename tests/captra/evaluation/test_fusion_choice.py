@@ -55,9 +55,12 @@ def test_the_best_candidate_on_validation_sequences_goes_into_the_manifest(
     write_manifest(bundle, replace(before, rotation_fusion="coordinates"))
     options = ["--category", "mug", "--models", str(bundle.parent), "--cache", str(tmp_path / "cache")]
     with pytest.raises(SystemExit) as ended:
-        main(["fuse", *options, "--sequences", "1", "--frames", "4"])
+        main(["fuse", *options, "--sequences", "1", "--frames", "4", "--instances", "2"])
     assert not ended.value.code
     chosen = load_manifest(bundle)
     assert chosen.rotation_fusion in rotation_fusions("mug")
-    assert f"mug: {chosen.rotation_fusion}, free" in " ".join(capsys.readouterr().out.split())
-    assert replace(chosen, rotation_fusion=before.rotation_fusion) == before
+    printed = " ".join(capsys.readouterr().out.split())
+    assert f"mug: {chosen.rotation_fusion}, free" in printed
+    assert "mug: centres stay off by" in printed
+    assert chosen.found_error != before.found_error
+    assert replace(chosen, rotation_fusion=before.rotation_fusion, found_error=before.found_error) == before

@@ -1,0 +1,89 @@
+"""By how much networks err on one object all the time: what the first frame of a track tells of the frames after it."""
+
+from collections.abc import Sequence
+from functools import partial
+
+import numpy as np
+from jaxtyping import Float64
+
+from captra.data.recordings import Recording
+from captra.evaluation.followers.follower import follow
+from captra.evaluation.observability import symmetric_frames
+from captra.evaluation.runner import NetworksSource, loaded
+from captra.evaluation.sequences import SequenceSource
+from captra.evaluation.workers import Workers
+from captra.fitting import rotation_about_axis
+from captra.geometry import Pose, rotation_vector
+from captra.pose_memory import NO_ERROR, FoundError
+from captra.tracker import Tracker, TrackerOptions
+
+LARGEST_CENTRE, LARGEST_ROTATION_DEG = 0.15, 8.0
+"""Of single frames, in units of the scale and in degrees; larger errors count as no more: the track is lost, and it is
+not for the given pose to put that right."""
+
+Y_AXIS = np.array([0.0, 1.0, 0.0])
+
+Errors = tuple[Float64[np.ndarray, "frames parts 3"], Float64[np.ndarray, "frames parts 3"]]
+"""Of centres in units of the scale, along the axes of each part, and of rotations in degrees, about them; NaN for what
+nothing in the frame tells."""
+
+
+def measure_found_error(networks: NetworksSource, sources: Sequence[SequenceSource], workers: Workers) -> FoundError:
+    """Standard deviations of what stays the same in the errors of a track, over sequences of as many objects.
+
+    What comes and goes from frame to frame is no business of the memory: a constant error's variance is the covariance
+    of the first frame's error with that of the others.
+    """
+    centres, turns = zip(*workers.map(partial(_errors, networks), sources), strict=True)
+    return FoundError(_lasting(centres, LARGEST_CENTRE), _lasting(turns, LARGEST_ROTATION_DEG))
+
+
+def describe(error: FoundError) -> str:
+    """For people: the largest and the smallest of all parts and axes."""
+    centre_percent, rotation_deg = 100 * np.array(error.centre), np.array(error.rotation_deg)
+    return (
+        f"centres stay off by {centre_percent.min():.1f} to {centre_percent.max():.1f} % of the scale, rotations by "
+        f"{rotation_deg.min():.1f} to {rotation_deg.max():.1f}° (standard deviations along and about the axes of parts)"
+    )
+
+
+def _lasting(
+    errors: Sequence[Float64[np.ndarray, "frames parts 3"]], largest: float
+) -> tuple[tuple[float, float, float], ...]:
+    """Standard deviation of the constant part of errors, each from one sequence; 0 where nothing was ever told."""
+    bounded = [np.clip(one, -largest, largest) for one in errors]
+    products = np.stack([one[0] * _mean(one[1:]) for one in bounded])
+    variance = np.maximum(np.nan_to_num(_mean(products)), 0.0)
+    return tuple((float(x), float(y), float(z)) for x, y, z in np.sqrt(variance).round(4))
+
+
+def _mean(rows: Float64[np.ndarray, "rows parts 3"]) -> Float64[np.ndarray, "parts 3"]:
+    """Over the rows that tell something; NaN where none does."""
+    told = np.isfinite(rows)
+    count = told.sum(axis=0)
+    return np.asarray(np.where(told, rows, 0.0).sum(axis=0) / np.where(count, count, np.nan))
+
+
+def _errors(networks: NetworksSource, source: SequenceSource) -> Errors:
+    """Track a sequence with networks that are taken at their word."""
+    sequence = source.load()
+    recording = sequence.recording
+    tracker = Tracker(loaded(networks), recording.init, options=TrackerOptions(found_error=NO_ERROR))
+    poses = follow(sequence, recording.init, lambda cloud, *_: tracker.step(cloud).pose)
+    symmetric = symmetric_frames(recording)
+    turn_is_unknown = symmetric & (not recording.category.symmetric)
+    rows = [_error(pose, recording, frame, symmetric=bool(symmetric[frame])) for frame, pose in enumerate(poses, 1)]
+    centres, turns = (np.stack(column) for column in zip(*rows, strict=True))
+    turns[turn_is_unknown[1:], :, 1] = np.nan
+    return centres, turns
+
+
+def _error(pose: Pose, recording: Recording, frame: int, *, symmetric: bool) -> Errors:
+    """Of one frame; that of an object which looks the same all round is its tilt."""
+    truth = recording.truth(frame)
+    to_part = np.swapaxes(truth.rotation, -1, -2)
+    centre = (to_part @ (pose.translation - truth.translation)[..., None])[..., 0] / truth.scale[:, None]
+    turned = to_part @ pose.rotation
+    if symmetric:
+        turned = np.stack([one @ rotation_about_axis(one, Y_AXIS).T for one in turned])
+    return centre, np.degrees(rotation_vector(turned))

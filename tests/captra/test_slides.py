@@ -1,0 +1,75 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from captra.categories import get_category
+from captra.geometry import Pose, axis_angle
+from captra.slides import NO_SLIDES, Slides
+from captra.tracker import Tracker
+from tests.oracle import OracleNetworks, box_surface
+
+DRAWERS, SCISSORS = get_category("drawers"), get_category("scissors")
+BASE = DRAWERS.root
+
+
+def cabinet(seed: int) -> Pose:
+    """Drawers at random places of a cabinet that stands anywhere; all parts are turned alike."""
+    rng = np.random.default_rng(seed)
+    rotation = axis_angle(rng.standard_normal(3), rng.uniform(0, 3))
+    translation = rng.uniform(-1, 1, 3) + rng.uniform(-0.3, 0.3, (4, 3)) @ rotation.T
+    return Pose.from_size(np.tile(rotation, (4, 1, 1)), translation, np.full((4, 3), 0.4))
+
+
+def pulled(pose: Pose, offsets: np.ndarray) -> Pose:
+    """Every part moved along its own axes."""
+    return replace(pose, translation=pose.translation + np.einsum("pij,pj->pi", pose.rotation, offsets))
+
+
+shifts = st.lists(st.floats(-0.2, 0.2), min_size=12, max_size=12).map(lambda flat: np.array(flat).reshape(4, 3))
+
+
+@given(st.integers(0, 9), shifts)
+def test_a_drawer_goes_where_its_slide_goes_and_keeps_how_far_it_is_open(seed: int, astray: np.ndarray) -> None:
+    pose = cabinet(seed)
+    astray[BASE] = 0
+    held = Slides.through(pose, DRAWERS).apply(pulled(pose, astray))
+    np.testing.assert_allclose(held.translation, pulled(pose, astray * [0, 0, 1]).translation, atol=1e-9)
+
+
+@given(st.integers(0, 9), shifts)
+def test_slides_go_with_the_cabinet(seed: int, opened: np.ndarray) -> None:
+    pose = cabinet(seed)
+    turn = axis_angle(np.array([1.0, -2.0, 0.5]), 0.7)
+    moved = replace(pose, rotation=turn @ pose.rotation, translation=pose.translation @ turn.T + [0.3, 0.0, -0.2])
+    moved = pulled(moved, opened * [0, 0, 1] * (np.arange(4) != BASE)[:, None])
+    np.testing.assert_allclose(Slides.through(pose, DRAWERS).apply(moved).translation, moved.translation, atol=1e-9)
+
+
+def test_nothing_holds_parts_that_turn_or_are_not_known() -> None:
+    pose = cabinet(1)
+    assert NO_SLIDES.apply(pose).translation.tolist() == pose.translation.tolist()
+    assert not Slides.through(pose.part(0), SCISSORS).offset_parent
+
+
+@pytest.mark.parametrize("again", [False, True])
+def test_a_track_keeps_drawers_on_the_slides_of_the_given_pose(again: bool) -> None:
+    rng = np.random.default_rng(3)
+    truth = pulled(replace(cabinet(3), translation=np.zeros((4, 3))), 0.6 * np.arange(4)[:, None] * [1.0, 0, 0])
+    cloud = np.concatenate(
+        [
+            box_surface(size, 1500, rng) @ R.T + t
+            for R, t, size in zip(truth.rotation, truth.translation, truth.size, strict=True)
+        ]
+    ).astype(np.float32)
+    networks = OracleNetworks(DRAWERS, truth, truth)
+    tracker = Tracker(networks, truth)
+    first = tracker.step(cloud).pose
+    networks.truth = pulled(truth, 0.02 * np.array([[0, 1, 1], *np.zeros((3, 3))]))
+    if again:
+        tracker.reset(networks.truth)
+    drawer = (tracker.step(cloud).pose.translation - first.translation)[0] @ truth.rotation[0]
+    assert drawer[2] == pytest.approx(0.02, abs=0.008)
+    assert drawer[1] == pytest.approx(0.02 if again else 0.0, abs=0.008)
