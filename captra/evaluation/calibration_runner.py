@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from captra.evaluation.belief_fit import fit_belief
+from captra.belief import Persistence
 from captra.evaluation.calibration import Observations, fit_confidence, observations
 from captra.evaluation.incident_runner import Rehearsal, watch_all
 from captra.evaluation.incidents import BRIEF, INCIDENTS
@@ -18,6 +18,9 @@ from captra.health import HealthMonitor
 FAULTS = tuple(kind for kind in INCIDENTS if kind != "nothing")
 LEAST_USUAL = 0.05
 """Share of right frames, and of wrong ones, that a track may expect though a few sequences showed none."""
+
+SHARES_OF_NEWS = (1.0, 0.7, 0.5, 0.35, 0.25)
+"""How much each frame may tell that those before it did not, the usual share first."""
 
 FAULTS_SEARCHED = 3
 """Incidents of each sequence that are watched with a search: four sequences see every kind at least once."""
@@ -43,8 +46,8 @@ def monitor_of(watched: Sequence[Watched]) -> HealthMonitor:
     """The monitor that fits these tracks: what single frames tell, then thresholds on what is believed of them."""
     found = observations(watched)
     usual = float(np.clip(found.correct.all(axis=1).mean(), LEAST_USUAL, 1 - LEAST_USUAL))
-    model = fit_confidence(found)
-    return choose_thresholds(model, watched, fit_belief(model, watched, usual))
+    beliefs = [Persistence(usual, news=news) for news in SHARES_OF_NEWS]
+    return choose_thresholds(fit_confidence(found), watched, beliefs)
 
 
 def faults(index: int) -> tuple[str, ...]:

@@ -31,19 +31,21 @@ USUAL_DOUBT, USUAL_LOGITS, OUTLANDISH_COST = 0.2, 1.5, 0.1
 do not tell apart, the next track wants the middle ones."""
 
 
-def choose_thresholds(model: ConfidenceModel, watched: Sequence[Watched], belief: Belief = FORGETFUL) -> HealthMonitor:
-    """The monitor of least cost on these tracks; of equal ones, the one with the most usual thresholds."""
+def choose_thresholds(
+    model: ConfidenceModel, watched: Sequence[Watched], beliefs: Sequence[Belief] = (FORGETFUL,)
+) -> HealthMonitor:
+    """The monitor of least cost on these tracks; of equal ones that with the first belief and most usual thresholds."""
     told = [confidences(model, one) for one in watched]
 
-    def monitor(doubt: float, logits: float) -> HealthMonitor:
+    def monitor(belief: Belief, doubt: float, logits: float) -> HealthMonitor:
         return HealthMonitor(model, doubt, sigmoid(logit(doubt) + logits), belief=belief)
 
-    def cost(choice: tuple[float, float]) -> float:
-        doubt, logits = choice
+    def cost(choice: tuple[Belief, float, float]) -> float:
+        _, doubt, logits = choice
         outlandish = abs(logit(doubt) - logit(USUAL_DOUBT)) + abs(logits - USUAL_LOGITS)
         return _cost(_retold(monitor(*choice), watched, told)) + OUTLANDISH_COST * outlandish
 
-    return monitor(*min(itertools.product(DOUBTS, TRUST_LOGITS), key=cost))
+    return monitor(*min(itertools.product(beliefs, DOUBTS, TRUST_LOGITS), key=cost))
 
 
 def confidences(model: ConfidenceModel, one: Watched) -> Float64[np.ndarray, " frames"]:

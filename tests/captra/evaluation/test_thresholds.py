@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from captra.belief import logit, sigmoid
+from captra.belief import Persistence, logit, sigmoid
 from captra.confidence import FEATURES, UNCALIBRATED, ConfidenceModel
 from captra.evaluation.health_figures import DEADLINE, Share, false_alarms, losses
 from captra.evaluation.thresholds import USUAL_DOUBT, USUAL_LOGITS, choose_thresholds, confidences, states
@@ -48,6 +48,17 @@ def test_what_is_wrong_but_sure_does_not_make_all_good_frames_doubtful() -> None
     monitor = choose_thresholds(MODEL, [wrong, *good])
     assert monitor.doubt_below < 0.55
     assert false_alarms(replace(one, states=states(monitor, confidences(MODEL, one))) for one in good) == Share(0, 60)
+
+
+def test_frames_that_are_doubted_all_along_for_one_reason_are_not_summed_up() -> None:
+    good = [track([0.45] * 40, [1] * 40, 41, 41) for _ in range(3)]
+    lost = track([*[0.7] * 10, *[0.01] * 10, *[0.7] * 10], [*[1] * 10, *[HIDDEN] * 10, *[1] * 10], 11, 21)
+    beliefs = [Persistence(0.7, news=news) for news in (1.0, 0.35)]
+    monitor = choose_thresholds(MODEL, [*good, lost], beliefs)
+    assert monitor.belief == beliefs[1]
+    retold = [replace(one, states=states(monitor, confidences(MODEL, one))) for one in (*good, lost)]
+    assert false_alarms(retold).part == 0
+    assert [loss.delay is not None and loss.delay <= DEADLINE for loss in losses(retold)] == [True]
 
 
 def test_trust_is_regained_only_by_what_is_not_as_sure_of_wrong_places() -> None:
