@@ -51,7 +51,7 @@ def main(
         played = [replace(each, clouds=[cloud[::EVERY] for cloud in each.clouds]) for each in played]
     module = ("captra", "serve") if real else ("benchmarks.long_run", SERVE)
     categories = [each.category.name for each in played]
-    settings = {"CAPTRA_PROVIDER": provider, "CAPTRA_PRELOAD": json.dumps(categories)}
+    settings = {"CAPTRA_PROVIDER": provider, "CAPTRA_PRELOAD": json.dumps(categories), "CAPTRA_SEARCH_BUDGET_MS": "0"}
     memory_mib: list[float] = []
     with ServiceProcess(settings, module=module) as service, ThreadPoolExecutor(2) as pool:
         started_s = time.perf_counter()

@@ -1,8 +1,8 @@
 """A service process whose networks take their time; run as a process by tests.
 
-A frame takes FRAME_S seconds, and beyond that until the file GATE is there, if one is named.
+A look takes FRAME_S seconds, and beyond that until the file GATE is there, if one is named.
 
-Says `asked` on standard output when a frame is in hand, and at its end which of some modules are loaded.
+Says `asked` on standard output whenever a frame in hand is looked at, and at its end which of some modules are loaded.
 """
 
 import os

@@ -16,6 +16,7 @@ import httpx
 import pytest
 import zenoh
 
+from captra.tracker import LOOKS_AT_START
 from service.settings import Settings
 from service.shutdown import FORCE_AFTER_S, STORE_WITHIN_S
 from service.sqlite_store import SqliteSessionStore
@@ -118,7 +119,8 @@ def test_a_frame_that_hangs_holds_nobody_up(tmp_path: Path, by_http: bool) -> No
     with slow_service(tmp_path, FRAME_S="0", CAPTRA_SHUTDOWN_TIMEOUT_S="0.5") as service:
         hangs, neighbour = service.open_session("laptop"), service.open_session()
         post_frame(service, neighbour["session_id"], 5).raise_for_status()
-        service.wait_until_asked()
+        for _ in range(LOOKS_AT_START):
+            service.wait_until_asked()
         events = inbox(service.network, neighbour["zenoh"]["event"])
         if by_http:
             threading.Thread(target=post_frame, args=(service, hangs["session_id"], 1), daemon=True).start()
