@@ -22,6 +22,9 @@ TURN_RAD = np.radians(15.0)
 START_REACH = 4 / 3
 """Length of the shifts around a given pose, in units of the standard deviation of its centre."""
 
+STARTS_A_LOOK = 4
+"""Shifts around a given pose for every look that a later frame may take: a first frame is worth waiting for."""
+
 FEWEST_LOOKS, MOST_LOOKS = 2, 8
 """What a search may take a frame: one look would never go anywhere but where the object was lost."""
 
@@ -105,11 +108,11 @@ class Search:
 
         Args:
             given_error_m: standard deviation of the centre of a given pose.
-            looks: those of later frames; one means no search.
+            looks: what a later frame might take; one means no search.
         """
         yield self.trusted
         if looks > 1:
-            for shift in START_REACH * given_error_m * _directions():
+            for shift in START_REACH * given_error_m * _directions()[: STARTS_A_LOOK * looks]:
                 yield replace(self.trusted, translation=self.trusted.translation + shift)
 
     def hypotheses(self, expected: Pose, state: State, looks: int) -> tuple[Pose, ...]:

@@ -149,6 +149,7 @@ def fuse(
 
     from rich.console import Console
 
+    from captra.categories import get_category
     from captra.evaluation.found_errors import describe, measure_found_error
     from captra.evaluation.fusion_choice import FusedNetworks, choose, measure
     from captra.evaluation.sequence_cache import SequenceCache
@@ -166,7 +167,7 @@ def fuse(
             sources = list(unseen(name, sequences, kept, frames, VALIDATION_SEED))
             best, means = choose(name, partial(measure, networks, sources, pool))
             objects = list(unseen(name, instances, kept, first_seed=VALIDATION_SEED))
-            error = measure_found_error(FusedNetworks(networks, best), objects, pool)
+            error = measure_found_error(get_category(name), FusedNetworks(networks, best), objects, pool)
             manifest = replace(best.set_in(load_manifest(models / name)), found_error=error.calibration)
             write_manifest(models / name, manifest)
             console.print(table(means, f"{name}: {best.name} is in the manifest now"))

@@ -6,6 +6,7 @@ from functools import partial
 import numpy as np
 from jaxtyping import Float64
 
+from captra.categories import Category
 from captra.data.recordings import Recording
 from captra.evaluation.followers.follower import follow
 from captra.evaluation.observability import symmetric_frames
@@ -14,7 +15,7 @@ from captra.evaluation.sequences import SequenceSource
 from captra.evaluation.workers import Workers
 from captra.fitting import rotation_about_axis
 from captra.geometry import Pose, rotation_vector
-from captra.pose_memory import NO_ERROR, FoundError
+from captra.pose_memory import NO_ERROR, FoundError, PerAxis
 from captra.tracker import Tracker, TrackerOptions
 
 LARGEST_CENTRE, LARGEST_ROTATION_DEG = 0.15, 8.0
@@ -28,14 +29,26 @@ Errors = tuple[Float64[np.ndarray, "frames parts 3"], Float64[np.ndarray, "frame
 nothing in the frame tells."""
 
 
-def measure_found_error(networks: NetworksSource, sources: Sequence[SequenceSource], workers: Workers) -> FoundError:
+def measure_found_error(
+    category: Category, networks: NetworksSource, sources: Sequence[SequenceSource], workers: Workers
+) -> FoundError:
     """Standard deviations of what stays the same in the errors of a track, over sequences of as many objects.
 
     What comes and goes from frame to frame is no business of the memory: a constant error's variance is the covariance
     of the first frame's error with that of the others.
     """
     centres, turns = zip(*workers.map(partial(_errors, networks), sources), strict=True)
-    return FoundError(_lasting(centres, LARGEST_CENTRE), _lasting(turns, LARGEST_ROTATION_DEG))
+    found = FoundError(_lasting(centres, LARGEST_CENTRE), _lasting(turns, LARGEST_ROTATION_DEG))
+    return _round_about_y(found) if category.symmetric else found
+
+
+def _round_about_y(error: FoundError) -> FoundError:
+    """Of an object that looks the same all round: which of its axes is called x is chance."""
+
+    def even(rows: PerAxis) -> PerAxis:
+        return tuple((mean, y, mean) for x, y, z in rows for mean in [round(float(np.hypot(x, z) / np.sqrt(2)), 4)])
+
+    return FoundError(even(error.centre), even(error.rotation_deg))
 
 
 def describe(error: FoundError) -> str:
