@@ -1,4 +1,7 @@
-"""The response test: what one step leaves of a known rotation error, axis by axis."""
+"""The response test: what one look leaves of a known rotation error, axis by axis.
+
+Of a look alone: a track that is given a pose takes it for a hint of what cannot be seen, and keeps some of its error.
+"""
 
 from dataclasses import dataclass
 
@@ -9,8 +12,8 @@ from captra.data.recordings import Recording
 from captra.evaluation.observability import symmetric_frames
 from captra.fitting import angle_about_axis
 from captra.geometry import Pose, axis_angle
-from captra.looking import Networks
-from captra.tracker import Tracker
+from captra.looking import Networks, look
+from captra.observations import PointCloud
 
 ANGLES_DEG = (-15.0, -10.0, -5.0, 5.0, 10.0, 15.0)
 AXES = "xyz"
@@ -18,7 +21,7 @@ AXES = "xyz"
 
 @dataclass(frozen=True)
 class Response:
-    """What one step leaves of rotations about one axis of one part."""
+    """What one look leaves of rotations about one axis of one part."""
 
     part: str
     """Name of the part."""
@@ -34,7 +37,7 @@ class Response:
 
 
 def response(networks: Networks, recording: Recording, every: int = 6) -> list[Response]:
-    """Turn the true pose of every so many frames about one axis, take one step, and read off what is left.
+    """Turn the true pose of every so many frames about one axis, look once, and read off what is left.
 
     Symmetric objects are not turned about y, and frames that do not show an axis are left out.
     """
@@ -57,7 +60,7 @@ def _left(
     truth = recording.truth(frame)
     turned = truth.rotation.copy()
     turned[part] = turned[part] @ axis_angle(axis, np.radians(angle_deg))
-    tracker = Tracker(networks, Pose(turned, truth.translation, truth.scale, truth.size))
-    pose = tracker.step(recording.clouds[frame]).pose
+    around = Pose(turned, truth.translation, truth.scale, truth.size)
+    pose = look(networks, PointCloud.of(recording.clouds[frame]), around).pose
     remaining = angle_about_axis(truth.rotation[part].T @ pose.rotation[part], axis)
     return float(np.degrees(remaining) / angle_deg)
