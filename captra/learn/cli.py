@@ -31,6 +31,13 @@ def train(
         Path | None,
         typer.Option(help="Bundle or folder of checkpoints to start from; its name is their category."),
     ] = None,
+    rotation_anew: Annotated[
+        bool,
+        typer.Option(
+            "--rotation-anew",
+            help="Train RotationNet alone, from the backbone of the CoordinateNet to start from, which stays as it is.",
+        ),
+    ] = False,
     learning_rate: Annotated[
         float | None,
         typer.Option(
@@ -58,7 +65,7 @@ def train(
     from captra.categories import get_category
     from captra.data.dataset import ViewDataset
     from captra.learn.curves import plot_curves
-    from captra.learn.plan import Plan
+    from captra.learn.plan import ROTATION, Plan
     from captra.learn.provenance import provenance
     from captra.learn.training import Progress as RunProgress
     from captra.learn.training import Trainer
@@ -81,9 +88,13 @@ def train(
     chosen, where = get_category(category), views_of(category, folder)
     views = ViewDataset(where)
     state = folder / "runs" / category / run
-    further = start_from is not None and start_from.name == category
+    if rotation_anew and start_from is None:
+        raise typer.BadParameter("--rotation-anew takes CoordinateNet from somewhere: say --start-from models/NAME")
+    further = start_from is not None and start_from.name == category and not rotation_anew
     rate = learning_rate or (FURTHER_LEARNING_RATE if further else Plan.learning_rate)
-    trainer = Trainer(chosen, views, Plan(samples=samples, seed=seed, learning_rate=rate), state, provenance(where))
+    networks = (ROTATION,) if rotation_anew else Plan.networks
+    plan = Plan(samples=samples, seed=seed, learning_rate=rate, networks=networks)
+    trainer = Trainer(chosen, views, plan, state, provenance(where))
     if start_from is not None and trainer.progress.samples == 0:
         trainer.start_from(get_category(start_from.name), start_from)
     columns = (

@@ -36,9 +36,8 @@ class PerturbationMix:
 
     @staticmethod
     def for_category(category: Category) -> "PerturbationMix":
-        """Widened about y for the upright objects that one small feature orients."""
-        upright = category.background and not category.symmetric
-        return PerturbationMix(weak_axis=(0.0, 1.0, 0.0) if upright else None)
+        """Widened about y, which is learned last: few points tell it, and networks may settle on never turning."""
+        return PerturbationMix(weak_axis=None if category.symmetric else (0.0, 1.0, 0.0))
 
 
 def perturb_for_training(truth: Pose, category: Category, mix: PerturbationMix, rng: np.random.Generator) -> Pose:

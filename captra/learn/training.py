@@ -20,7 +20,7 @@ from captra.learn.from_bundle import coordinate_net_of_graph, restore_norms, rot
 from captra.learn.learner import Learner
 from captra.learn.objectives import coordinate_objective, rotation_objective
 from captra.learn.perturbation import PerturbationMix, rotation_fusion_for
-from captra.learn.plan import Plan
+from captra.learn.plan import COORDINATE, Plan
 from captra.learn.pointnet2 import copy_backbone
 from captra.learn.rotation_net import RotationNet
 from captra.learn.samples import Batch, Sample, SampleMaker, stack
@@ -102,6 +102,9 @@ class Trainer:
         else:
             transplant(load_coordinate_net(folder / "coordinate.pt", source), self.coordinate.network)
             self._take_rotation(load_rotation_net(folder / "rotation.pt", source), source)
+        if COORDINATE not in self.plan.networks:
+            self.rotation = Learner(RotationNet(self.category.num_parts, self.category.symmetric), self.plan)
+            copy_backbone(self.coordinate.network.backbone, self.rotation.network.backbone)
         self.coordinate.restart()
         self.rotation.restart()
         self.progress.rotation_started = True
@@ -185,7 +188,7 @@ class Trainer:
     def _step(self, batch: Batch, pool: Executor) -> dict[str, float]:
         """One step of both networks at a time; they share nothing but the batch."""
         rate = self.plan.learning_rate_at(self.progress.samples)
-        steps = [pool.submit(self._coordinate_step, batch, rate)]
+        steps = [pool.submit(self._coordinate_step, batch, rate)] if COORDINATE in self.plan.networks else []
         if self.progress.rotation_started or self.progress.samples >= self.plan.head_start * self.plan.samples:
             self._start_rotation()
             steps.append(pool.submit(self._rotation_step, batch, rate))

@@ -1,3 +1,4 @@
+import copy
 import json
 from dataclasses import replace
 from pathlib import Path
@@ -10,7 +11,7 @@ from captra.categories import get_category
 from captra.data.view import View
 from captra.learn.checkpoint import CheckpointError, load_coordinate_net, load_rotation_net, training_info
 from captra.learn.curves import plot_curves
-from captra.learn.plan import Plan, Stage
+from captra.learn.plan import ROTATION, Plan, Stage
 from captra.learn.training import LOG_FILE, STATE_FILE, Progress, Trainer
 from captra.sampling import Profile
 from tests.made_up import batch_of_clouds, networks_of, write_bundle
@@ -126,6 +127,24 @@ def test_a_new_run_can_start_from_another_category(tmp_path: Path) -> None:
     for head in trainer.rotation.network.heads:
         torch.testing.assert_close(head.state_dict(), rotation.heads[0].state_dict())
     assert trainer.coordinate.network.coordinates.out_features == 9
+
+
+def test_rotation_net_can_be_trained_anew_beside_a_coordinate_net_that_stays(tmp_path: Path) -> None:
+    train(tmp_path / "mug")
+    mug = get_category("mug")
+    trainer = Trainer(mug, FewViews("mug"), replace(PLAN, networks=(ROTATION,)), tmp_path / "anew")
+    head, last = "heads.0.layers.0.weight", "backbone.last.weight"
+    trainer.start_from(mug, tmp_path / "mug")
+    before, started = (copy.deepcopy(one.network.state_dict()) for one in (trainer.coordinate, trainer.rotation))
+    torch.testing.assert_close(started[last], before[last])
+    assert not torch.equal(started[head], load_rotation_net(tmp_path / "mug" / "rotation.pt", mug).state_dict()[head])
+    terms: list[dict[str, float]] = []
+    trainer.run(lambda _, of_step: terms.append(of_step))
+    torch.testing.assert_close(trainer.coordinate.network.state_dict(), before)
+    assert not torch.equal(
+        trainer.rotation.network.state_dict()["backbone.last.weight"], started["backbone.last.weight"]
+    )
+    assert all(name.startswith("rotation/") for of_step in terms for name in of_step)
 
 
 def test_learning_rate_halves_evenly_and_stages_follow_each_other() -> None:
