@@ -4,8 +4,8 @@
 
 Two categories are tracked at a time in one service. Its networks are those that ship, at so few points that a frame
 takes few milliseconds, and clouds are small: what a frame leaves behind does not depend on either. Nothing is searched
-for, since at so few points tracks do not hold. `--real` takes the profile `realtime` and whole clouds instead. Ends with
-status 0 only if memory has not grown by more than the limit after the first tenth.
+for, since at so few points tracks do not hold. `--real` takes the profile `realtime` and whole clouds instead. Ends
+with status 0 only if memory has not grown by more than the limit after the first tenth.
 """
 
 import json
