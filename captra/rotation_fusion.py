@@ -8,7 +8,8 @@ from typing import Protocol
 import numpy as np
 from jaxtyping import Float64
 
-from captra.fitting import mean_rotation, rotation_about_axis
+from captra.fitting import angle_about_axis, mean_rotation
+from captra.geometry import axis_angle
 
 
 class RotationFusion(Protocol):
@@ -56,7 +57,7 @@ class HalfWay:
 
 @dataclass(frozen=True)
 class TurnFromCoordinates:
-    """RotationNet's tilt, but the turn about one object axis from the coordinates.
+    """RotationNet's tilt, but the turn about one object axis from the coordinates, or from both.
 
     The turn of an upright object that one small feature tells, a mug's handle, is what a regression over all points
     learns last, while each point on the feature speaks for it in the coordinates.
@@ -64,13 +65,16 @@ class TurnFromCoordinates:
 
     axis: tuple[float, float, float]
     """Unit axis in the part's frame."""
+    share: float = 1.0
+    """How far to turn to where the coordinates are: half way where RotationNet knows the turn as well."""
 
     def __call__(
         self, from_rotation_net: Float64[np.ndarray, "3 3"], from_coordinates: Float64[np.ndarray, "3 3"]
     ) -> Float64[np.ndarray, "3 3"]:
-        """RotationNet's, turned about its own axis to where the coordinates are closest."""
-        difference = from_rotation_net.T @ from_coordinates
-        return np.asarray(from_rotation_net @ rotation_about_axis(difference, np.array(self.axis)))
+        """RotationNet's, turned about its own axis towards where the coordinates are closest."""
+        axis = np.array(self.axis)
+        difference = angle_about_axis(from_rotation_net.T @ from_coordinates, axis)
+        return np.asarray(from_rotation_net @ axis_angle(axis, self.share * difference))
 
 
 ROTATION_NET_ALONE: RotationFusion = RotationNetAlone()
@@ -79,6 +83,7 @@ ROTATION_FUSIONS: Mapping[str, RotationFusion] = MappingProxyType(
     {
         "rotation-net": ROTATION_NET_ALONE,
         "turn-about-y-from-coordinates": TurnFromCoordinates((0.0, 1.0, 0.0)),
+        "turn-about-y-half-way": TurnFromCoordinates((0.0, 1.0, 0.0), share=0.5),
         "coordinates": CoordinatesAlone(),
         "mean": HalfWay(),
     }

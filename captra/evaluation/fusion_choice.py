@@ -12,8 +12,8 @@ from captra.joint_projection import JOINT_PROJECTIONS
 from captra.looking import Networks
 from captra.runtime.bundle import Manifest
 
-ABOUT_Y = "turn-about-y-from-coordinates"
-"""Says nothing about objects that are symmetric about y."""
+ABOUT_Y = ("turn-about-y-from-coordinates", "turn-about-y-half-way")
+"""These say nothing about objects that are symmetric about y."""
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ class FusedNetworks:
 
 def rotation_fusions(category: str) -> tuple[str, ...]:
     """The fusions of both networks that make sense for a category; the coordinates alone are a baseline."""
-    return ("rotation-net", "mean") if get_category(category).symmetric else ("rotation-net", "mean", ABOUT_Y)
+    return ("rotation-net", "mean", *(() if get_category(category).symmetric else ABOUT_Y))
 
 
 def choose(category: str, measure: Callable[[Fusion], Summary]) -> tuple[Fusion, list[Summary]]:

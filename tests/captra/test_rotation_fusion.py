@@ -41,6 +41,15 @@ def test_fused_rotation_has_the_tilt_of_one_and_is_as_near_to_the_other_as_it_ca
 
 
 @given(SEEDS)
+def test_where_both_know_the_turn_they_meet_half_way_and_tilt_is_rotation_nets(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    ours, theirs = turn(rng), turn(rng)
+    whole, half = (ROTATION_FUSIONS[f"turn-about-y-{name}"](ours, theirs) for name in ("from-coordinates", "half-way"))
+    np.testing.assert_allclose(half[:, 1], ours[:, 1], atol=1e-9)
+    np.testing.assert_allclose(half @ (ours.T @ half), whole, atol=1e-9)
+
+
+@given(SEEDS)
 def test_coordinates_alone_hear_nobody_else(seed: int) -> None:
     rng = np.random.default_rng(seed)
     ours, theirs = turn(rng), turn(rng)
@@ -57,7 +66,13 @@ def test_the_mean_lies_half_way(seed: int) -> None:
 
 
 def test_manifests_name_what_exists() -> None:
-    assert set(ROTATION_FUSIONS) == {"rotation-net", "turn-about-y-from-coordinates", "coordinates", "mean"}
+    assert set(ROTATION_FUSIONS) == {
+        "rotation-net",
+        "turn-about-y-from-coordinates",
+        "turn-about-y-half-way",
+        "coordinates",
+        "mean",
+    }
     assert ROTATION_FUSIONS["rotation-net"] is ROTATION_NET_ALONE
     with pytest.raises(KeyError):
         ROTATION_FUSIONS["majority"]
