@@ -1,9 +1,6 @@
-"""Where to look while a track does not hold.
+"""Where to look while a track does not hold: where it was last found, and around the last pose that was trusted."""
 
-Where it was last found, around the last pose that was trusted, and on from the most promising of what was seen there.
-"""
-
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Protocol
 
@@ -83,16 +80,6 @@ def _directions() -> Float64[np.ndarray, "14 3"]:
 
 
 @dataclass(frozen=True)
-class Lead:
-    """Something found by a search that does not convince yet: another look from there may."""
-
-    pose: Pose
-    """Where it was found."""
-    promise: float
-    """Confidence that the look gave it."""
-
-
-@dataclass(frozen=True)
 class Search:
     """What is known of an object that may be lost."""
 
@@ -100,8 +87,6 @@ class Search:
     """The last pose that was worth going back to."""
     turn: int = 0
     """Where in the round of shifts the search stands."""
-    lead: Lead | None = None
-    """What to look at again."""
 
     def starts(self, given_error_m: float, looks: int) -> Iterator[Pose]:
         """Where to look for an object whose pose was given: there, and if there may be a search also beside it.
@@ -119,26 +104,16 @@ class Search:
         """Poses to look around, most promising first, at most `looks` of them."""
         if state is State.TRACKING:
             return (expected,)
-        known = (expected, self.trusted) if self.lead is None else (expected, self.lead.pose, self.trusted)
         if state is State.UNCERTAIN:
-            return known[:looks]
-        shifted = [self._shifted(self.turn + i) for i in range(self._shifts(looks))]
-        return (*known, *shifted)[:looks]
+            return (expected, self.trusted)[:looks]
+        shifted = [self._shifted(self.turn + i) for i in range(max(0, looks - 2))]
+        return (expected, self.trusted, *shifted)[:looks]
 
-    def led_by(self, sightings: Sequence[Lead]) -> Lead | None:
-        """What to look at again, of what was found beside the expected pose: the best, as long as it gets better."""
-        best = max(sightings, key=lambda lead: lead.promise, default=None)
-        before = 0.0 if self.lead is None else self.lead.promise
-        return best if best is not None and best.promise > before else None
-
-    def updated(self, pose: Pose, state: State, looks: int, lead: Lead | None = None) -> "Search":
+    def updated(self, pose: Pose, state: State, looks: int) -> "Search":
         """The search after one more frame."""
         if state is State.TRACKING:
             return Search(pose)
-        return replace(self, turn=self.turn + self._shifts(looks), lead=lead)
-
-    def _shifts(self, looks: int) -> int:
-        return max(0, looks - (2 if self.lead is None else 3))
+        return replace(self, turn=self.turn + max(0, looks - 2))
 
     def _shifted(self, index: int) -> Pose:
         """The trusted pose elsewhere and turned; rounds go outwards."""

@@ -17,7 +17,7 @@ from captra.motion import STANDING_STILL, MotionModel
 from captra.observations import Observation, PointCloud
 from captra.output_filter import UNFILTERED, OutputFilter
 from captra.pose_memory import FoundError, PoseMemory
-from captra.recovery import NO_SEARCH, Lead, Search, SearchBudget
+from captra.recovery import NO_SEARCH, Search, SearchBudget
 from captra.sampling import NoPointsError
 from captra.segmentation import NOTHING_KNOWN, Segmentation
 from captra.size_memory import GIVEN_ERROR, SizeMemory
@@ -143,12 +143,11 @@ class Tracker:
         """
         observation = PointCloud.of(observed) if isinstance(observed, np.ndarray) else observed
         self._looks = self._options.search.looks() if looks is None else looks
-        sightings = self._look(observation, segmentation, self._hypotheses(time_s))
-        best, lead = self._choose(sightings), self._search.led_by([self._lead(one) for one in sightings[1:]])
+        best = self._choose(self._look(observation, segmentation, self._hypotheses(time_s)))
         self._health = self._health.updated(self._health.confidence_of(best.evidence))
         self._pose, self._given = self._placed(best), False
         self._motion = self._motion.observed(self._pose, time_s, trusted=self._health.trusted)
-        self._search = self._search.updated(self._pose, self._health.state, self._looks, lead)
+        self._search = self._search.updated(self._pose, self._health.state, self._looks)
         published, self._filter = self._filter.filtered(self._published(), time_s)
         joints = joint_values(published, self._category)
         return TrackResult(published, self._health.state, self._health.confidence, joints, best.evidence, best.timing)
@@ -199,10 +198,6 @@ class Tracker:
     def _told(self, sighting: Sighting) -> float:
         """Confidence of one look by itself, wherever it looked."""
         return self._health.confidence_of(sighting.evidence.without_jumps())
-
-    def _lead(self, sighting: Sighting) -> Lead:
-        """What another look may go on from."""
-        return Lead(self._sized(sighting)[0], self._told(sighting))
 
     def _sized(self, found: Sighting) -> tuple[Pose, SizeMemory]:
         """What was found, in the gauge, at the size that the track would remember after it, around the points."""

@@ -5,7 +5,7 @@ from captra.confidence import UNCALIBRATED, ConfidenceModel
 from captra.geometry import Pose, rotation_angle
 from captra.health import HealthMonitor, State
 from captra.output_filter import OneEuro
-from captra.recovery import FEWEST_LOOKS, MOST_LOOKS, Lead, LookBudget, Search, TimeBudget
+from captra.recovery import FEWEST_LOOKS, MOST_LOOKS, LookBudget, Search, TimeBudget
 from captra.sampling import NoPointsError
 from captra.tracker import Tracker, TrackerOptions
 from tests.oracle import OracleNetworks, scene
@@ -26,26 +26,6 @@ def test_the_budget_is_kept_and_the_last_trusted_pose_is_among_the_first(state: 
     assert around[0] is THERE
     if looks > 1:
         assert around[1] is HERE
-
-
-def test_what_looks_better_every_time_is_looked_at_again_before_other_places() -> None:
-    search = Search(HERE).updated(THERE, State.LOST, 4, Lead(THERE, 0.2))
-    around = search.hypotheses(HERE, State.LOST, 4)
-    assert around[1] is THERE
-    assert len({pose.translation.tobytes() for pose in around}) == 3
-    assert search.hypotheses(HERE, State.UNCERTAIN, 2) == (HERE, THERE)
-    assert search.led_by([Lead(HERE, 0.1), Lead(THERE, 0.3), Lead(HERE, 0.25)]) == Lead(THERE, 0.3)
-    assert search.led_by([Lead(THERE, 0.15)]) is None
-    assert search.led_by([]) is None
-    assert search.updated(THERE, State.TRACKING, 4, Lead(THERE, 0.3)) == Search(THERE)
-
-
-def test_a_search_on_a_lead_leaves_no_place_out() -> None:
-    plain, led = (Search(HERE).updated(HERE, State.LOST, 5, lead) for lead in (None, Lead(THERE, 0.2)))
-    assert [search.updated(HERE, State.LOST, 5).turn - search.turn for search in (plain, led)] == [3, 2]
-    np.testing.assert_array_equal(
-        led.hypotheses(HERE, State.LOST, 5)[3].translation, plain.hypotheses(HERE, State.LOST, 5)[2].translation
-    )
 
 
 @pytest.mark.parametrize("looks", [1, 2, 8])
@@ -152,25 +132,6 @@ def test_a_given_pose_that_leads_nowhere_is_searched_around_at_once() -> None:
     np.testing.assert_allclose(tracker.pose.translation, truth.translation, atol=5e-3)
     alone, cloud, _ = approached(0.1, looks=1)
     assert State.TRACKING not in [alone.step(cloud).state for _ in range(6)]
-
-
-def frames_until_found(led: bool, monkeypatch: pytest.MonkeyPatch) -> int:
-    """After an object that was tracked is suddenly elsewhere, too far for any one look."""
-    if not led:
-        monkeypatch.setattr(Search, "led_by", lambda *_: None)
-    tracker, cloud, truth = approached(0.0, looks=5)
-    tracker.step(cloud)
-    shift = np.array([0.075, 0.06, 0.05])
-    networks = tracker._networks
-    networks.truth = Pose(truth.rotation, truth.translation + shift, truth.scale, truth.size)  # type: ignore[attr-defined]
-    states = [tracker.step((cloud + shift).astype(np.float32)).state for _ in range(40)]
-    return states.index(State.TRACKING, 2)
-
-
-def test_a_lead_is_followed_until_it_convinces(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert frames_until_found(True, monkeypatch) < 12
-    with pytest.raises(ValueError, match="not in list"):
-        frames_until_found(False, monkeypatch)
 
 
 def test_the_last_trusted_pose_is_published_while_nothing_is_found() -> None:

@@ -24,6 +24,9 @@ from clients.session import open_session
 from tests.clients.sequences import FRAMES, drifting_mug
 from tests.clients.test_recording import by_its_schema
 
+LISTENS_S = 20
+"""Time enough on a machine that does much else."""
+
 
 class Listener:
     """`captra record` on a thread."""
@@ -37,13 +40,17 @@ class Listener:
     def wait_told(self) -> None:
         assert self._told.acquire(timeout=20), "nothing was told"
 
+    def wait_recording(self, session_id: str) -> None:
+        while not any(session_id in line and line.endswith("recording") for line in list(self.lines)):
+            self.wait_told()
+
     def join(self) -> None:
-        self._thread.join(30)
+        self._thread.join(40)
         assert not self._thread.is_alive()
 
     def _run(self, url: str, folder: Path, sessions: list[str]) -> None:
         with closing(RestApi(url)) as api:
-            listen_to(api, sessions, folder, self._tell, until_s=12)
+            listen_to(api, sessions, folder, self._tell, until_s=LISTENS_S)
 
     def _tell(self, line: str) -> None:
         self.lines.append(line)
@@ -72,9 +79,9 @@ def test_all_sessions_are_recorded_also_those_that_are_opened_later(url: str, tm
     recording = drifting_mug()
     with open_session("mug", recording.init, url=url) as first:
         listener = Listener(url, tmp_path, [])
-        listener.wait_told()
+        listener.wait_recording(first.session_id)
         with open_session("mug", recording.init, url=url) as second:
-            listener.wait_told()
+            listener.wait_recording(second.session_id)
             list(second.track(list(frames(recording))[:3]))
         list(first.track(list(frames(recording))[:2]))
     listener.join()
