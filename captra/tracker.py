@@ -175,14 +175,19 @@ class Tracker:
         return sightings
 
     def _settle(self, observation: Observation, segmentation: Segmentation, around: Pose) -> Sighting:
-        """Look once, or a second time from where a given pose led, which is as rough as none after it."""
-        timings = list[StepTiming]()
-        for _ in range(LOOKS_AT_START if self._given else 1):
-            found = look(self._networks, observation, around, segmentation, self._options.projection)
-            self._options.search.spent(found.timing.total_ms)
-            timings.append(found.timing)
-            around, _ = self._sized(found)
-        return replace(found, timing=StepTiming.sum(timings))
+        """Look once; around a given pose, which is rough, again from where the look before led."""
+        found = self._look_once(observation, segmentation, around)
+        for _ in range(LOOKS_AT_START - 1 if self._given else 0):
+            before, (around, _) = found.timing, self._sized(found)
+            found = self._look_once(observation, segmentation, around)
+            found = replace(found, timing=StepTiming.sum([before, found.timing]))
+        return found
+
+    def _look_once(self, observation: Observation, segmentation: Segmentation, around: Pose) -> Sighting:
+        """Look around one pose, on the search's time."""
+        found = look(self._networks, observation, around, segmentation, self._options.projection)
+        self._options.search.spent(found.timing.total_ms)
+        return found
 
     def _choose(self, sightings: Sequence[Sighting]) -> Sighting:
         """The best one if it convinces, else the first, which goes on from the last pose; with the time of all of them.
@@ -190,8 +195,9 @@ class Tracker:
         Among poses that nobody would trust the best is no better than chance, and would lead astray a track that is
         only doubted.
         """
-        best = max(sightings, key=self._told)
-        best = best if self._told(best) >= self._health.trust_above else sightings[0]
+        told = [self._told(sighting) for sighting in sightings]
+        chosen = int(np.argmax(told))
+        best = sightings[chosen if told[chosen] >= self._health.trust_above else 0]
         evidence = best.evidence.without_jumps() if self._given else best.evidence
         return replace(best, evidence=evidence, timing=StepTiming.sum(sighting.timing for sighting in sightings))
 

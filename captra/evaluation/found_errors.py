@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 from jaxtyping import Float64
 
-from captra.categories import Category
+from captra.categories import Y_AXIS, Category
 from captra.data.recordings import Recording
 from captra.evaluation.followers.follower import follow
 from captra.evaluation.observability import symmetric_frames
@@ -21,8 +21,6 @@ from captra.tracker import Tracker, TrackerOptions
 LARGEST_CENTRE, LARGEST_ROTATION_DEG = 0.15, 8.0
 """Of single frames, in units of the scale and in degrees; larger errors count as no more: the track is lost, and it is
 not for the given pose to put that right."""
-
-Y_AXIS = np.array([0.0, 1.0, 0.0])
 
 Errors = tuple[Float64[np.ndarray, "frames parts 3"], Float64[np.ndarray, "frames parts 3"]]
 """Of centres in units of the scale, along the axes of each part, and of rotations in degrees, about them; NaN for what
@@ -60,9 +58,7 @@ def describe(error: FoundError) -> str:
     )
 
 
-def _lasting(
-    errors: Sequence[Float64[np.ndarray, "frames parts 3"]], largest: float
-) -> tuple[tuple[float, float, float], ...]:
+def _lasting(errors: Sequence[Float64[np.ndarray, "frames parts 3"]], largest: float) -> PerAxis:
     """Standard deviation of the constant part of errors, each from one sequence; 0 where nothing was ever told."""
     bounded = [np.clip(one, -largest, largest) for one in errors]
     products = np.stack([one[0] * _mean(one[1:]) for one in bounded])
@@ -98,5 +94,5 @@ def _error(pose: Pose, recording: Recording, frame: int, *, symmetric: bool) -> 
     centre = (to_part @ (pose.translation - truth.translation)[..., None])[..., 0] / truth.scale[:, None]
     turned = to_part @ pose.rotation
     if symmetric:
-        turned = np.stack([one @ rotation_about_axis(one, Y_AXIS).T for one in turned])
+        turned = np.stack([one @ rotation_about_axis(one, np.array(Y_AXIS)).T for one in turned])
     return centre, np.degrees(rotation_vector(turned))
