@@ -224,7 +224,8 @@ class Session:
             observations: point clouds (N, 3) in metres, of any length, or whatever `put` takes; may block, like a
                 camera.
             rate_hz: how many a second.
-            on_event: called with every event; by default a rejected cloud raises, pass `lambda event: None` to go on.
+            on_event: called with every event but rejections of clouds sent before; by default a rejected cloud raises,
+                pass `lambda event: None` to go on.
             timeout_s: the longest wait for a result.
 
         Raises:
@@ -235,7 +236,7 @@ class Session:
         """
         self._check_open()
         self._inbox.clear()
-        line = tracking.Line(self.put, self._inbox, on_event, timeout_s)
+        line = tracking.Line(self.put, self._inbox, on_event, timeout_s, self._next_seq)
         if rate_hz is None:
             return tracking.in_turn(line, observations)
         return tracking.at_rate(line, observations, rate_hz)

@@ -46,6 +46,8 @@ class Line:
     """Called with every event."""
     timeout_s: float
     """The longest wait for anything."""
+    first_seq: int = 0
+    """Number of the first cloud of this line; what still comes of earlier ones is nobody's any more."""
 
     def send(self, seen: Observation | Frame) -> int:
         """Put what was seen, with its stamp and mask where it has them."""
@@ -59,6 +61,8 @@ class Line:
             SessionClosedError: the service closed the session.
         """
         message = self.inbox.get(self.timeout_s)
+        while message is not None and 0 <= answered_seq(message, unnumbered=-1) < self.first_seq:
+            message = self.inbox.get(self.timeout_s)
         if message is None:
             raise NoResultError(f"no result of {waiting_for} within {self.timeout_s:g} s: is the service overloaded?")
         if isinstance(message, Event):

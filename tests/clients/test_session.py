@@ -155,6 +155,21 @@ def test_a_rejected_cloud_raises_with_its_reason(first_pose: Pose) -> None:
 
 
 @pytest.mark.parametrize("rate_hz", [None, 50.0])
+def test_what_is_told_late_of_clouds_before_is_no_concern_of_this_track(
+    first_pose: Pose, rate_hz: float | None
+) -> None:
+    def late(service: FakeService, seq: int, points: np.ndarray) -> dict[str, object]:
+        if seq == 1:
+            service.tell({"kind": "rejected", "reason": "no-points-near-object", "detail": "late"}, seq=0, stamp_ns=0)
+            service.tell(at_centroid(service, 0, points), seq=0, stamp_ns=0)
+        return at_centroid(service, seq, points)
+
+    with FakeService(late) as fake, open_session("mug", first_pose, url=fake.url) as session:
+        list(session.track([cloud(0)]))
+        assert [result.seq for result in session.track([cloud(0)], rate_hz=rate_hz)] == [1]
+
+
+@pytest.mark.parametrize("rate_hz", [None, 50.0])
 def test_rejections_can_be_taken_note_of_instead(first_pose: Pose, rate_hz: float | None) -> None:
     events: list[Event] = []
 
