@@ -9,6 +9,7 @@ import tempfile
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
+from itertools import chain
 from pathlib import Path
 from time import perf_counter
 from typing import Annotated
@@ -36,6 +37,8 @@ from export.inputs import made_up_clouds
 
 Step = tuple[str, Callable[[], object]]
 PIECES = (1, onnx_export.PIECES)
+STACKED = ("mug", "laptop_articulated", "drawers")
+"""One, two and four parts, a cloud each."""
 FOCAL_PX = 600.0
 BALL_RADIUS_PX = 60.0
 """Of what is near: a mug of 10 cm, half a metre away."""
@@ -57,8 +60,11 @@ def main(
         for pieces in PIECES:
             with mock.patch.object(onnx_export, "PIECES", pieces):
                 write_untrained("mug", Path(folder, str(pieces)))
+        for category in STACKED:
+            write_untrained(category, Path(folder, category))
         for profile in PROFILES.values():
-            steps = (*networks_of(Path(folder), profile, provider), *neighborhoods_of(profile), *crops_of(profile))
+            ways = (networks_of(Path(folder), profile, provider), stacks_of(Path(folder), profile, provider))
+            steps = chain(*ways, neighborhoods_of(profile), crops_of(profile))
             for label, step in steps:
                 result.add_row(label, profile.name, timed(step, repetitions))
     console.print(result)
@@ -76,6 +82,16 @@ def networks_of(folder: Path, profile: Profile, provider: str) -> Iterator[Step]
         yield f"{label}, in turn", partial(IN_TURN, one, other)
         yield f"{label}, a new thread a frame", partial(started_anew, one, other)
         yield f"{label}, side by side", partial(WhileCoresAreFree(networks.threads), one, other)
+
+
+def stacks_of(folder: Path, profile: Profile, provider: str) -> Iterator[Step]:
+    """RotationNet for the clouds of one, two and four parts at once: what a batch over sessions could spare."""
+    for category in STACKED:
+        networks = OnnxNetworks.load(folder / category, profile, provider, threads=1)
+        clouds = made_up_clouds(networks.category.num_parts, profile)
+        neighborhoods = [build_neighborhoods(cloud, profile) for cloud in clouds]
+        label = f"RotationNet on one thread, {len(clouds)} cloud(s) at once, all of them"
+        yield label, partial(networks.rotations, np.stack(clouds), neighborhoods)
 
 
 def neighborhoods_of(profile: Profile) -> Iterator[Step]:
