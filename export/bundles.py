@@ -3,20 +3,24 @@
 import shutil
 import tempfile
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import onnx
 
-from captra.categories import Category
+from captra.categories import Category, get_category
 from captra.learn.checkpoint import load_coordinate_net, load_rotation_net
+from captra.learn.coordinate_net import CoordinateNet
+from captra.learn.from_bundle import coordinate_net_of_graph
 from captra.learn.networks import TorchNetworks
-from captra.runtime.bundle import COORDINATE, ROTATION, Manifest, sha256_of, write_manifest
+from captra.learn.rotation_net import RotationNet
+from captra.runtime.bundle import COORDINATE, ROTATION, Manifest, load_manifest, sha256_of, verify, write_manifest
 from captra.runtime.onnx_networks import OnnxNetworks
 from captra.sampling import PROFILES
 from export.graph import OPSET
 from export.onnx_export import coordinate_model, rotation_model
 from export.parity import Difference, require_parity
-from export.provenance import input_sampling_of, rotation_fusion_of, rotation_share_of, training_of
+from export.provenance import input_sampling_of, rotation_fusion_of, rotation_share_of, training_of, with_rotation
 
 
 def unchanged(manifest: Manifest) -> Manifest:
@@ -44,7 +48,7 @@ def export_bundle(
         coordinate: CoordinateNet's checkpoint, of the authors or ours.
         rotation: RotationNet's.
         category: of both.
-        precision: of the stored weights: float32 or float16.
+        precision: of the stored weights: float32, float16 or int8.
         out: the bundle's folder; its three files are replaced if they are there.
         describe: what to change in the manifest before it is written.
         report: told how far ONNX Runtime and PyTorch are apart at each profile.
@@ -74,14 +78,70 @@ def export_bundle(
                 rotation_share=rotation_share_of(rotation),
             )
         )
-        write_manifest(folder, manifest)
-        for profile in PROFILES.values():
-            torch_networks = TorchNetworks(
-                category, profile, coordinate_net, rotation_net, rotation_share=manifest.rotation_share
-            )
-            exported = OnnxNetworks.load(folder, profile, provider="cpu")
-            report(profile.name, require_parity(torch_networks, exported, precision))
-        out.mkdir(exist_ok=True)
-        for path in sorted(folder.iterdir()):
-            shutil.move(path, out / path.name)
+        _publish(folder, manifest, coordinate_net, rotation_net, precision, out, report)
     return manifest
+
+
+def replace_rotation(
+    rotation: Path, precision: str, bundle: Path, *, report: Callable[[str, Difference], None] = silent
+) -> Manifest:
+    """Give a bundle another RotationNet; its CoordinateNet stays as it is, to the byte.
+
+    What was measured of the bundle (scores, calibration, found errors) is no longer true, and goes.
+
+    Args:
+        rotation: checkpoint of a RotationNet of the bundle's category, as `captra train --rotation-anew` leaves it.
+        precision: of its stored weights: float32, float16 or int8.
+        bundle: the folder; changed once the new graph agrees with the checkpoint at every profile.
+        report: told how far ONNX Runtime and PyTorch are apart at each profile.
+
+    Raises:
+        BundleError: the folder holds no whole bundle.
+        CheckpointError: the checkpoint does not fit.
+        PrecisionError: the precision is unknown or too narrow.
+        ParityError: the graphs compute something else.
+    """
+    before = load_manifest(bundle)
+    verify(bundle, before)
+    category = get_category(before.category)
+    rotation_net = load_rotation_net(rotation, category)
+    coordinate_net = coordinate_net_of_graph(bundle / COORDINATE, category)
+    with tempfile.TemporaryDirectory(prefix=f".{bundle.name}-", dir=bundle.parent) as scratch:
+        folder = Path(scratch)
+        shutil.copy2(bundle / COORDINATE, folder / COORDINATE)
+        onnx.save(rotation_model(rotation_net, precision), folder / ROTATION)
+        manifest = replace(
+            before,
+            precision=" and ".join(dict.fromkeys([before.precision.split(" and ")[0], precision])),
+            sha256={name: sha256_of(folder / name) for name in (COORDINATE, ROTATION)},
+            training=with_rotation(before.training, rotation),
+            rotation_share=rotation_share_of(rotation),
+            scores=(),
+            health={},
+            found_error={},
+        )
+        _publish(folder, manifest, coordinate_net, rotation_net, precision, bundle, report)
+    return manifest
+
+
+def _publish(
+    folder: Path,
+    manifest: Manifest,
+    coordinate_net: CoordinateNet,
+    rotation_net: RotationNet,
+    precision: str,
+    out: Path,
+    report: Callable[[str, Difference], None],
+) -> None:
+    """Move a bundle to its place once its graphs agree with the networks at every profile."""
+    write_manifest(folder, manifest)
+    category = get_category(manifest.category)
+    for profile in PROFILES.values():
+        torch_networks = TorchNetworks(
+            category, profile, coordinate_net, rotation_net, rotation_share=manifest.rotation_share
+        )
+        exported = OnnxNetworks.load(folder, profile, provider="cpu")
+        report(profile.name, require_parity(torch_networks, exported, precision))
+    out.mkdir(exist_ok=True)
+    for path in sorted(folder.iterdir()):
+        shutil.move(path, out / path.name)

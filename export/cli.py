@@ -10,12 +10,15 @@ import typer
 Checkpoint = Annotated[Path, typer.Option(exists=True, dir_okay=False, help="A .pt file, the authors' or ours.")]
 
 
+Precision = Annotated[str, typer.Option(help="How weights are stored: float32, float16 or int8.")]
+
+
 def export(
     coordinate: Checkpoint,
     rotation: Checkpoint,
     category: Annotated[str, typer.Option(help="What they were trained on, e.g. mug.")],
     out: Annotated[Path, typer.Option(help="Folder of the bundle, e.g. models/mug.")],
-    precision: Annotated[str, typer.Option(help="How weights are stored: float16 or float32.")] = "float16",
+    precision: Precision = "float16",
     notes: Annotated[
         Path | None,
         typer.Option(
@@ -44,6 +47,31 @@ def export(
             coordinate, rotation, get_category(category), precision, out, describe=describe, report=report
         )
         typer.echo(f"wrote {out}: {', '.join(manifest.sha256)}, weights in {precision}")
+
+
+def replace_rotation(
+    rotation: Checkpoint,
+    bundle: Annotated[Path, typer.Option(exists=True, file_okay=False, help="Folder of the bundle that changes.")],
+    precision: Precision = "int8",
+) -> None:
+    """Give a bundle another RotationNet and keep its CoordinateNet; scores and calibration go, for they were others'.
+
+    Example: captra replace-rotation --rotation .campaign/runs/mug/anew/rotation.pt --bundle models/mug
+    """
+    with errors_for_people():
+        from export import bundles
+        from export.parity import Difference
+
+        def report(profile: str, difference: Difference) -> None:
+            typer.echo(
+                f"{profile}: differs from PyTorch by at most {difference.mean_rotation_deg:.1e}° in mean rotations"
+            )
+
+        manifest = bundles.replace_rotation(rotation, precision, bundle, report=report)
+        typer.echo(
+            f"{bundle} has another RotationNet, weights in {precision}; next: captra fuse --category "
+            f"{manifest.category}, captra calibrate, captra evaluate --write-scores"
+        )
 
 
 def step(

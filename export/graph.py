@@ -14,8 +14,11 @@ OPSET = 17
 IR_VERSION = 8
 """The one that came with the opset."""
 
-PRECISIONS: dict[str, type[np.floating]] = {"float32": np.float32, "float16": np.float16}
-"""How matrices are stored; arithmetic is float32 either way, unless the runtime lowers it."""
+PRECISIONS: dict[str, type[np.number]] = {"float32": np.float32, "float16": np.float16, "int8": np.int8}
+"""How matrices are stored; arithmetic is float32 in any case, unless the runtime lowers it."""
+
+LARGEST_INT8 = 127
+"""What the largest weight of a column becomes; -128 is left unused, so that columns stay symmetric."""
 
 
 class PrecisionError(ValueError):
@@ -50,21 +53,28 @@ class GraphWriter:
         return outputs
 
     def matrix(self, name: str, values: Float[np.ndarray, "inputs outputs"]) -> str:
-        """A matrix of weights, stored in the graph's precision and cast to float32, once, when the model is loaded.
+        """A matrix of weights, stored in the graph's precision and turned to float32, once, when the model is loaded.
+
+        Whole numbers of 8 bits come with the scale of their column, `{name}.scale`.
 
         Raises:
             PrecisionError: a weight is too large for the precision.
         """
+        turned = f"{name}.float32"
+        if name in self._constants:
+            return name if self._matrix_type is np.float32 else turned
+        if self._matrix_type is np.int8:
+            largest = np.abs(values).max(axis=0)
+            scale = np.where(largest > 0, largest, 1) / LARGEST_INT8
+            constant = self._constant(name, np.rint(values / scale).astype(np.int8))
+            whole = self("Cast", constant, name=f"{name}.whole", to=TensorProto.FLOAT)
+            return self("Mul", whole, self.vector(f"{name}.scale", scale), name=turned)
         with np.errstate(over="ignore"):
             stored = values.astype(self._matrix_type)
         if not np.isfinite(stored).all():
             raise PrecisionError(f"{name} does not fit into {stored.dtype}: export with --precision float32")
-        known = name in self._constants
         constant = self._constant(name, stored)
-        if stored.dtype == np.float32:
-            return constant
-        cast = f"{name}.float32"
-        return cast if known else self("Cast", constant, name=cast, to=TensorProto.FLOAT)
+        return constant if stored.dtype == np.float32 else self("Cast", constant, name=turned, to=TensorProto.FLOAT)
 
     def vector(self, name: str, values: Float[np.ndarray, "..."]) -> str:
         """Biases and the like, always float32."""

@@ -1,6 +1,6 @@
 """What a manifest says about where weights come from, read from the checkpoints themselves."""
 
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +11,8 @@ from captra.sampling import InputSampling
 
 AUTHORS_DATA = "the authors' released checkpoints: synthetic data of the paper (NOCS-CAMERA, SAPIEN)"
 OWN_DATA = "procedural shapes in simulated scenes, seen by a simulated depth camera"
+TOLD_ELSEWHERE = ("meshes", "input_sampling", "rotation_fusion")
+"""Entries of checkpoints that manifests keep outside of the details of training."""
 BATCH_SIZE = 12
 """Samples a step of checkpoints that do not say."""
 
@@ -29,7 +31,22 @@ def training_of(coordinate: Path, rotation: Path) -> Training:
         seed=coordinate_info.get("seed"),
         commit=str(coordinate_info.get("commit", "")),
         meshes=tuple(MeshCredit(**mesh) for mesh in coordinate_info.get("meshes", ())),
-        details={name: _without(info, "meshes", "input_sampling", "rotation_fusion") for name, info in details.items()},
+        details={name: _without(info, *TOLD_ELSEWHERE) for name, info in details.items()},
+    )
+
+
+def with_rotation(training: Training, rotation: Path) -> Training:
+    """The same CoordinateNet, and what the checkpoint of another RotationNet says of its training.
+
+    Raises:
+        CheckpointError: it is no checkpoint.
+    """
+    info = _without(training_info(rotation), *TOLD_ELSEWHERE)
+    meshes = tuple(MeshCredit(**mesh) for mesh in training_info(rotation).get("meshes", ()))
+    return replace(
+        training,
+        meshes=tuple(dict.fromkeys((*training.meshes, *meshes))),
+        details={**training.details, "rotation": info},
     )
 
 

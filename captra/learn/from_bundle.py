@@ -22,6 +22,9 @@ ROW_NORM = 0.6
 """Length of the weights of one channel, as in networks trained from nothing: with a norm after it, any computes the
 same, but steps of the optimizers have a size of their own."""
 
+SCALE = ".scale"
+"""Ends the name of what whole numbers are multiplied by, column by column."""
+
 Weights = Mapping[str, Tensor]
 """Constants of a graph by name; matrices are (inputs, outputs)."""
 
@@ -123,10 +126,11 @@ def _weights_of(path: Path) -> Weights:
         raise CheckpointError(f"{path} does not exist: give the folder of a bundle, e.g. models/mug") from None
     except DecodeError as error:
         raise CheckpointError(f"{path} is no readable graph: export the bundle again, or copy it again") from error
-    return {
+    weights = {
         constant.name: torch.from_numpy(onnx.numpy_helper.to_array(constant).astype(np.float32))
         for constant in graph.initializer
     }
+    return {name: values * weights.get(f"{name}{SCALE}", 1.0) for name, values in weights.items()}
 
 
 def _misfit(path: Path, wanted: str) -> CheckpointError:

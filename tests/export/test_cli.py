@@ -1,4 +1,5 @@
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -6,14 +7,15 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
-from captra.runtime.bundle import load_manifest, verify
+from captra.runtime.bundle import COORDINATE, ROTATION, Score, load_manifest, verify, write_manifest
 from captra.sampling import InputSampling
-from export.cli import export, step
+from export.cli import export, replace_rotation, step
 from tests import reference
 from tests.made_up import write_bundle, write_checkpoints
 
 APP = typer.Typer()
 APP.command("export")(export)
+APP.command("replace-rotation")(replace_rotation)
 APP.command("step")(step)
 
 
@@ -94,12 +96,49 @@ def test_exporting_again_replaces_the_bundle(tmp_path: Path) -> None:
     assert load_manifest(out).precision == "float16"
 
 
+def test_another_rotation_net_leaves_the_rest_and_takes_away_what_was_measured(tmp_path: Path) -> None:
+    bundle = write_bundle("mug", tmp_path / "mug")
+    before = replace(
+        load_manifest(bundle),
+        rotation_fusion="mean",
+        scores=(Score("captra evaluate", {"5°5cm %": 90.0}),),
+        health={"doubt_below": 0.1},
+        found_error={"rotation_deg": [[1.0, 1.0, 1.0]]},
+    )
+    write_manifest(bundle, before)
+    coordinate = (bundle / COORDINATE).read_bytes()
+    info = {"samples": 77, "seed": 5, "meshes": [{"name": "cup", "license": "CC0", "attribution": "A. Nother"}]}
+    _, rotation = write_checkpoints("mug", tmp_path, info)
+    status, output = run("replace-rotation", "--rotation", rotation, "--bundle", bundle)
+    assert status == 0, output
+    assert "next: captra fuse --category mug" in output
+    after = load_manifest(bundle)
+    verify(bundle, after)
+    assert (bundle / COORDINATE).read_bytes() == coordinate
+    assert (bundle / ROTATION).stat().st_size < len(coordinate), "a larger network in half the room"
+    assert (after.precision, after.rotation_fusion) == ("float16 and int8", "mean")
+    assert (after.scores, after.health, after.found_error) == ((), {}, {})
+    assert after.training.details["rotation"] == {"samples": 77, "seed": 5}
+    assert [mesh.name for mesh in after.training.meshes] == ["cup"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["coordinate.pt", "mug", "rotation.pt"]
+
+
+def test_a_rotation_net_of_another_category_changes_nothing(tmp_path: Path) -> None:
+    bundle = write_bundle("bottle", tmp_path / "bottle")
+    before = {path.name: path.read_bytes() for path in bundle.iterdir()}
+    _, rotation = write_checkpoints("mug", tmp_path)
+    status, output = run("replace-rotation", "--rotation", rotation, "--bundle", bundle)
+    assert status == 1
+    assert "is not the RotationNet of bottle" in output
+    assert {path.name: path.read_bytes() for path in bundle.iterdir()} == before
+
+
 @pytest.mark.parametrize(
     ("category", "more", "message"),
     [
         ("bottle", [], "is not the RotationNet of bottle"),
         ("teapot", [], "unknown category 'teapot'"),
-        ("mug", ["--precision", "int8"], "unknown precision 'int8'"),
+        ("mug", ["--precision", "int4"], "unknown precision 'int4'"),
     ],
 )
 def test_errors_say_what_to_do_and_leave_nothing_behind(

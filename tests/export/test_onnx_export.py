@@ -1,10 +1,13 @@
 from pathlib import Path
 
+import hypothesis.strategies as st
 import numpy as np
 import onnx
 import onnxruntime
 import pytest
 import torch
+from hypothesis import given
+from hypothesis.extra.numpy import arrays
 from onnx import TensorProto, numpy_helper
 
 from captra.categories import get_category
@@ -12,7 +15,7 @@ from captra.learn.networks import TorchNetworks
 from captra.learn.pointnet2 import NormalizedLinear
 from captra.runtime.onnx_networks import OnnxNetworks, feed
 from captra.sampling import PAPER, REALTIME, Profile, build_neighborhoods
-from export.graph import OPSET, PrecisionError
+from export.graph import OPSET, GraphWriter, PrecisionError, tensor
 from export.inputs import made_up_clouds
 from export.layers import fold
 from export.onnx_export import coordinate_model, rotation_model
@@ -98,6 +101,28 @@ def test_float16_weights_answer_nearly_the_same(tmp_path: Path) -> None:
     assert difference.mean_rotation_deg < 0.5
 
 
+def test_int8_weights_take_a_quarter_of_the_room_and_answer_nearly_the_same(tmp_path: Path) -> None:
+    eighths, singles = (rotation_model(networks_of("mug")[1], precision) for precision in ("int8", "float32"))
+    assert eighths.ByteSize() < 0.3 * singles.ByteSize()
+    exported = OnnxNetworks.load(write_bundle("mug", tmp_path / "mug", "int8"), REALTIME, "cpu", threads=1)
+    difference = compare(TorchNetworks(get_category("mug"), REALTIME, *networks_of("mug")), exported)
+    assert 0 < difference.coordinates < 2e-2
+    assert difference.mean_rotation_deg < 1.0
+
+
+@given(arrays(np.float32, (5, 3), elements=st.floats(-100, 100, width=32)))
+def test_int8_columns_keep_their_largest_weight_and_miss_the_others_by_half_a_step(values: np.ndarray) -> None:
+    writer = GraphWriter("int8")
+    writer("MatMul", "x", writer.matrix("w", values), name="y")
+    shapes = tensor("x", TensorProto.FLOAT, 1, 5), tensor("y", TensorProto.FLOAT, 1, 3)
+    constants = {
+        c.name: numpy_helper.to_array(c) for c in writer.model("one", shapes[:1], shapes[1:]).graph.initializer
+    }
+    assert constants["w"].dtype == np.int8
+    step = np.abs(values.astype(float)).max(axis=0) / 127
+    assert (np.abs(constants["w"] * constants["w.scale"].astype(float) - values) <= 0.501 * step + 1e-30).all()
+
+
 def test_weights_too_large_for_float16_are_refused() -> None:
     network = networks_of("mug")[0]
     with torch.no_grad():
@@ -107,8 +132,8 @@ def test_weights_too_large_for_float16_are_refused() -> None:
 
 
 def test_an_unknown_precision_is_refused() -> None:
-    with pytest.raises(PrecisionError, match="unknown precision 'int8': choose one of float32, float16"):
-        coordinate_model(networks_of("mug")[0], "int8")
+    with pytest.raises(PrecisionError, match="unknown precision 'int4': choose one of float32, float16, int8"):
+        coordinate_model(networks_of("mug")[0], "int4")
 
 
 def test_folding_keeps_what_a_layer_computes() -> None:

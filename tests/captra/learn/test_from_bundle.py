@@ -37,6 +37,14 @@ def test_networks_of_a_bundle_answer_like_those_that_were_exported(category: str
         torch.testing.assert_close(answers(read, category), answers(original, category), rtol=1e-3, atol=1e-4)
 
 
+def test_weights_of_8_bits_are_read_with_their_scales(tmp_path: Path) -> None:
+    whole, half = (both(write_bundle("mug", tmp_path / name, name), "mug") for name in ("int8", "float16"))
+    for read, expected in zip(whole, half, strict=True):
+        for name, values in read.state_dict().items():
+            step = expected.state_dict()[name].abs().max() / 127
+            torch.testing.assert_close(values, expected.state_dict()[name], rtol=0, atol=float(step) + 1e-6, msg=name)
+
+
 @pytest.mark.parametrize("category", CATEGORIES)
 def test_restored_norms_change_no_answer_before_or_during_training(category: str, tmp_path: Path) -> None:
     bundle = write_bundle(category, tmp_path / category, "float32")
