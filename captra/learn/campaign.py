@@ -18,8 +18,23 @@ from typing import Protocol
 
 from captra.categories import get_category
 
-MILESTONES = (0.25, 0.5, 0.75, 0.9, 1.0)
-"""Shares of the samples after which a category's networks are exported and scored."""
+
+@dataclass(frozen=True)
+class Stretch:
+    """A part of a category's training, with a run of its own."""
+
+    run: str
+    """Names the folder of its state."""
+    milestones: tuple[float, ...]
+    """Shares of the samples after which the networks are exported and scored."""
+
+
+BOTH = Stretch("run", (0.25, 0.5, 0.75, 0.9, 1.0))
+"""Both networks; RotationNet soon starts from the little that CoordinateNet has learned."""
+ROTATION_ANEW = Stretch("anew", (0.5, 0.75, 1.0))
+"""RotationNet alone, from all that the best CoordinateNet has learned: where it was better than any other change."""
+COURSE = tuple((stretch, share) for stretch in (BOTH, ROTATION_ANEW) for share in stretch.milestones)
+"""All milestones of a category in turn."""
 
 WARM_STARTS: Mapping[str, str] = MappingProxyType(
     {
@@ -74,17 +89,17 @@ class Folders:
         """Training views."""
         return self.campaign / "views" / category / "train"
 
-    def run(self, category: str) -> Path:
-        """State, log and checkpoints of the training."""
-        return self.campaign / "runs" / category / "run"
+    def run(self, category: str, stretch: Stretch = BOTH) -> Path:
+        """State, log and checkpoints of a stretch of the training."""
+        return self.campaign / "runs" / category / stretch.run
 
     def candidate(self, category: str) -> Path:
         """The bundle that is being judged; its parent is a folder of bundles."""
         return self.campaign / "candidates" / category
 
-    def scores(self, category: str) -> Path:
+    def scores(self, category: str, stretch: Stretch = BOTH) -> Path:
         """Validation scores, a line a milestone."""
-        return self.run(category) / "validation.jsonl"
+        return self.run(category, stretch) / "validation.jsonl"
 
     def start_from(self, category: str) -> Path | None:
         """The bundle to start from: its own that ships, or that of the category that it starts from."""
@@ -98,17 +113,17 @@ class Steps(Protocol):
     def make_views(self, category: str) -> None:
         """Make sure that there are enough training views."""
 
-    def train(self, category: str, until: int) -> None:
-        """Train until so many samples were seen."""
+    def train(self, category: str, stretch: Stretch, until: int) -> None:
+        """Train until so many samples were seen in this stretch."""
 
-    def export(self, category: str) -> None:
-        """Write the candidate bundle from the run's checkpoints, its confidence calibrated."""
+    def export(self, category: str, stretch: Stretch) -> None:
+        """Write the candidate bundle from the stretch's checkpoints, its confidence calibrated."""
 
     def validate(self, bundle: Path) -> float:
         """Score a bundle on validation sequences; higher is better."""
 
-    def draw(self, category: str) -> None:
-        """Draw what was learnt and scored so far."""
+    def draw(self, category: str, stretch: Stretch) -> None:
+        """Draw what was learnt and scored so far in this stretch."""
 
 
 class Campaign:
@@ -126,7 +141,7 @@ class Campaign:
 
     def _one(self, category: str) -> None:
         standing = self._standings.get(category, Standing())
-        if standing.milestones == len(MILESTONES):
+        if standing.milestones == len(COURSE):
             return
         self._tell(f"{category}: views")
         self._steps.make_views(category)
@@ -134,18 +149,18 @@ class Campaign:
         if standing.best is None and (shipped / "manifest.json").exists():
             standing = self._keep(category, replace(standing, best=self._steps.validate(shipped)))
             self._tell(f"{category}: what ships scores {standing.best:.2f} on validation sequences")
-        for number in range(standing.milestones, len(MILESTONES)):
-            until = round(self._samples * MILESTONES[number])
-            self._tell(f"{category}: training up to {until} samples")
-            self._steps.train(category, until)
-            self._steps.export(category)
+        for number, (stretch, share) in list(enumerate(COURSE))[standing.milestones :]:
+            until = round(self._samples * share)
+            self._tell(f"{category}, {stretch.run}: training up to {until} samples")
+            self._steps.train(category, stretch, until)
+            self._steps.export(category, stretch)
             score = self._steps.validate(self._folders.candidate(category))
-            self._note(category, until, score)
-            self._steps.draw(category)
+            self._note(self._folders.scores(category, stretch), until, score)
+            self._steps.draw(category, stretch)
             if standing.best is None or score > standing.best:
                 replace_bundle(self._folders.candidate(category), shipped)
                 standing = replace(standing, best=score, best_samples=until)
-            self._tell(f"{category}: {score:.2f} after {until} samples; {standing.best:.2f} ships")
+            self._tell(f"{category}, {stretch.run}: {score:.2f} after {until} samples; {standing.best:.2f} ships")
             standing = self._keep(category, replace(standing, milestones=number + 1))
 
     def _keep(self, category: str, standing: Standing) -> Standing:
@@ -155,8 +170,7 @@ class Campaign:
         partial.replace(self._folders.state)
         return standing
 
-    def _note(self, category: str, samples: int, score: float) -> None:
-        path = self._folders.scores(category)
+    def _note(self, path: Path, samples: int, score: float) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
         with path.open("a") as log:
             log.write(json.dumps({"samples": samples, "score": score}) + "\n")
@@ -194,6 +208,8 @@ class LocalSteps:
     """Training views of each category."""
     sequences: int = 6
     """Validation sequences of each category."""
+    instances: int = 24
+    """Of each category, on which what the networks stay off by is measured."""
     frames: int = 60
     """Of each."""
     threads: int = 1
@@ -209,17 +225,18 @@ class LocalSteps:
         command += ["--seed", str(self.seed), "--out", str(self.folders.views(category))]
         run(command + (["--meshes", str(self.meshes)] if self.meshes else []))
 
-    def train(self, category: str, until: int) -> None:
+    def train(self, category: str, stretch: Stretch, until: int) -> None:
         """Go on with the run; the trainer saves when it stops."""
         from captra.data.dataset import ViewDataset
-        from captra.learn.plan import Plan
+        from captra.learn.plan import ROTATION, Plan
         from captra.learn.provenance import provenance
         from captra.learn.training import Progress, Trainer
 
         views = self.folders.views(category)
-        plan = Plan(samples=self.samples, seed=self.seed)
+        networks = (ROTATION,) if stretch is ROTATION_ANEW else Plan.networks
+        plan = Plan(samples=self.samples, seed=self.seed, networks=networks)
         trainer = Trainer(
-            get_category(category), ViewDataset(views), plan, self.folders.run(category), provenance(views)
+            get_category(category), ViewDataset(views), plan, self.folders.run(category, stretch), provenance(views)
         )
         start = self.folders.start_from(category)
         if trainer.progress.samples == 0 and start is not None:
@@ -234,16 +251,20 @@ class LocalSteps:
         with contextlib.suppress(MilestoneReached):
             trainer.run(stop_there)
 
-    def export(self, category: str) -> None:
-        """As `captra export`, `captra fuse` and `captra calibrate` do."""
-        out = self.folders.candidate(category)
-        checkpoints = self.folders.run(category)
-        command = [sys.executable, "-m", "captra", "export", "--category", category, "--out", str(out)]
-        run([*command, *(w for n in ("coordinate", "rotation") for w in (f"--{n}", str(checkpoints / f"{n}.pt")))])
+    def export(self, category: str, stretch: Stretch) -> None:
+        """As `captra export` or `captra replace-rotation`, `captra fuse` and `captra calibrate` do."""
+        out, checkpoints = self.folders.candidate(category), self.folders.run(category, stretch)
+        rotation = ["--rotation", str(checkpoints / "rotation.pt")]
+        if stretch is ROTATION_ANEW:
+            replace_bundle(self.folders.models / category, out)
+            captra("replace-rotation", "--bundle", str(out), *rotation)
+        else:
+            coordinate = ["--coordinate", str(checkpoints / "coordinate.pt")]
+            captra("export", "--category", category, "--out", str(out), *coordinate, *rotation)
         on = ["--category", category, "--models", str(out.parent), "--cache", str(self.folders.sequences)]
-        run([sys.executable, "-m", "captra", "fuse", *on, "--sequences", str(self.sequences)])
-        calibrate = [sys.executable, "-m", "captra", "calibrate", *on]
-        subprocess.run(calibrate, check=False)  # without right and wrong steps there is nothing to fit
+        captra("fuse", *on, "--sequences", str(self.sequences), "--instances", str(self.instances))
+        with contextlib.suppress(subprocess.CalledProcessError):  # without right and wrong steps is nothing to fit
+            captra("calibrate", *on)
 
     def validate(self, bundle: Path) -> float:
         """Mean of 5°5cm and oriented IoU, percent, over unseen procedural sequences with validation seeds."""
@@ -258,13 +279,13 @@ class LocalSteps:
         networks = ExportedNetworks(bundle, "realtime", "cpu", self.threads)
         return worth(mean_over(bundle.name, networks, sources, Here()))
 
-    def draw(self, category: str) -> None:
+    def draw(self, category: str, stretch: Stretch) -> None:
         """Loss and validation score over the samples, beside the run's log."""
         from captra.learn.curves import plot_curves, plot_scores
 
-        run_folder = self.folders.run(category)
+        run_folder = self.folders.run(category, stretch)
         plot_curves(run_folder / "log.jsonl", run_folder / "curves.png")
-        plot_scores(self.folders.scores(category), run_folder / "validation.png")
+        plot_scores(self.folders.scores(category, stretch), run_folder / "validation.png")
 
 
 class MilestoneReached(Exception):  # noqa: N818 - it is no error
@@ -278,6 +299,15 @@ def run(command: Sequence[str]) -> None:
         subprocess.CalledProcessError: it failed.
     """
     subprocess.run(command, check=True)
+
+
+def captra(*arguments: str) -> None:
+    """Run one of this project's commands to its end.
+
+    Raises:
+        subprocess.CalledProcessError: it failed.
+    """
+    run([sys.executable, "-m", "captra", *arguments])
 
 
 def yield_to_others() -> None:
