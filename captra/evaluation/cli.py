@@ -130,7 +130,7 @@ def response(
 def fuse(
     category: Categories = None,
     sequences: Annotated[int, typer.Option(help="Procedural validation sequences per category.", min=1)] = 8,
-    frames: Annotated[int, typer.Option(help="Of each.")] = 60,
+    frames: Annotated[int, typer.Option(help="Of each.")] = 100,
     instances: Annotated[int, typer.Option(help="Objects on which lasting errors are measured.", min=2)] = 24,
     models: Models = DEFAULT_MODELS,
     profile: ProfileName = "realtime",
@@ -166,7 +166,7 @@ def fuse(
             networks = exported(models, name, profile, provider, max(1, available_cores() // jobs))
             sources = list(unseen(name, sequences, kept, frames, VALIDATION_SEED))
             best, means = choose(name, partial(measure, networks, sources, pool))
-            objects = list(unseen(name, instances, kept, first_seed=VALIDATION_SEED))
+            objects = list(unseen(name, instances, kept, frames, VALIDATION_SEED))
             error = measure_found_error(get_category(name), FusedNetworks(networks, best), objects, pool)
             manifest = replace(best.set_in(load_manifest(models / name)), found_error=error.calibration)
             write_manifest(models / name, manifest)

@@ -262,7 +262,8 @@ class LocalSteps:
             coordinate = ["--coordinate", str(checkpoints / "coordinate.pt")]
             captra("export", "--category", category, "--out", str(out), *coordinate, *rotation)
         on = ["--category", category, "--models", str(out.parent), "--cache", str(self.folders.sequences)]
-        captra("fuse", *on, "--sequences", str(self.sequences), "--instances", str(self.instances))
+        on += ["--sequences", str(self.sequences)]
+        captra("fuse", *on, "--frames", str(self.frames), "--instances", str(self.instances))
         with contextlib.suppress(subprocess.CalledProcessError):  # without right and wrong steps is nothing to fit
             captra("calibrate", *on)
 
