@@ -22,8 +22,23 @@ START_REACH = 4 / 3
 STARTS_A_LOOK = 4
 """Shifts around a given pose for every look that a later frame may take: a first frame is worth waiting for."""
 
+SAME_PLACE = 0.1
+"""Centres this near each other, in units of the object's scale, are the same finding."""
+
 FEWEST_LOOKS, MOST_LOOKS = 2, 8
 """What a search may take a frame: one look would never go anywhere but where the object was lost."""
+
+
+def most_agreed(told: Float64[np.ndarray, " N"], centres_m: Float64[np.ndarray, "N 3"], scale_m: float) -> int:
+    """The surest of the poses that most confidence gathers around: wrong ones lie here and there, right ones together.
+
+    Args:
+        told: confidence of each pose by itself.
+        centres_m: where each has the object.
+        scale_m: of the object.
+    """
+    near = np.linalg.norm(centres_m[:, None] - centres_m, axis=-1) <= SAME_PLACE * scale_m
+    return int(np.argmax(np.where(near[np.argmax(near @ told)], told, -1.0)))
 
 
 class SearchBudget(Protocol):

@@ -17,7 +17,7 @@ from captra.motion import STANDING_STILL, MotionModel
 from captra.observations import Observation, PointCloud
 from captra.output_filter import UNFILTERED, OutputFilter
 from captra.pose_memory import FoundError, PoseMemory
-from captra.recovery import NO_SEARCH, Search, SearchBudget
+from captra.recovery import NO_SEARCH, Search, SearchBudget, most_agreed
 from captra.sampling import NoPointsError
 from captra.segmentation import NOTHING_KNOWN, Segmentation
 from captra.size_memory import GIVEN_ERROR, SizeMemory
@@ -166,7 +166,7 @@ class Tracker:
                 sightings.append(self._settle(observation, segmentation, pose))
             except NoPointsError as error:
                 refusal = error
-            if self._given and (not sightings or self._told(sightings[-1]) >= self._health.trust_above):
+            if self._given and (not sightings or self._told(sightings[0]) >= self._health.trust_above):
                 break
         if not sightings:
             self._health = self._health.missed()
@@ -193,10 +193,11 @@ class Tracker:
         """The best one if it convinces, else the first, which goes on from the last pose; with the time of all of them.
 
         Among poses that nobody would trust the best is no better than chance, and would lead astray a track that is
-        only doubted.
+        only doubted. Around a given pose the best is the one that most starts lead to.
         """
-        told = [self._told(sighting) for sighting in sightings]
-        chosen = int(np.argmax(told))
+        told = np.array([self._told(sighting) for sighting in sightings])
+        centres_m = np.array([sighting.pose.translation.mean(axis=0) for sighting in sightings])
+        chosen = most_agreed(told, centres_m, self._pose.scale.max()) if self._given else int(np.argmax(told))
         best = sightings[chosen if told[chosen] >= self._health.trust_above else 0]
         evidence = best.evidence.without_jumps() if self._given else best.evidence
         return replace(best, evidence=evidence, timing=StepTiming.sum(sighting.timing for sighting in sightings))

@@ -5,7 +5,7 @@ from captra.confidence import UNCALIBRATED, ConfidenceModel
 from captra.geometry import Pose, rotation_angle
 from captra.health import HealthMonitor, State
 from captra.output_filter import OneEuro
-from captra.recovery import FEWEST_LOOKS, MOST_LOOKS, LookBudget, Search, TimeBudget
+from captra.recovery import FEWEST_LOOKS, MOST_LOOKS, LookBudget, Search, TimeBudget, most_agreed
 from captra.sampling import NoPointsError
 from captra.tracker import Tracker, TrackerOptions
 from tests.oracle import OracleNetworks, scene
@@ -35,6 +35,14 @@ def test_a_given_pose_comes_first_and_if_there_is_a_search_all_around_it(looks: 
     assert len(starts) == {1: 1, 2: 9, 8: 15}[looks]
     shifts = np.array([start.translation[0] - HERE.translation[0] for start in starts[1:]]).reshape(-1, 3)
     np.testing.assert_allclose(np.linalg.norm(shifts, axis=1), 0.04)
+
+
+def test_what_most_starts_lead_to_counts_more_than_what_looks_best_from_one() -> None:
+    told = np.array([0.2, 0.66, 0.6, 0.62, 0.5])
+    centres_m = np.array([[0, 0, 0], [0.1, 0, 0], [0, 0.05, 0], [0, 0.06, 0], [0, 0.05, 0.01]])
+    assert most_agreed(told, centres_m, 0.2) == 3
+    assert most_agreed(told, centres_m, 0.01) == 1, "none of them agree"
+    assert most_agreed(told[:1], centres_m[:1], 0.2) == 0
 
 
 def test_a_search_goes_round_and_outwards() -> None:
