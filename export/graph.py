@@ -19,6 +19,8 @@ PRECISIONS: dict[str, type[np.number]] = {"float32": np.float32, "float16": np.f
 
 LARGEST_INT8 = 127
 """What the largest weight of a column becomes; -128 is left unused, so that columns stay symmetric."""
+SMALLEST = 1e-30
+"""Columns of weights smaller than that become nothing."""
 
 
 class PrecisionError(ValueError):
@@ -64,8 +66,7 @@ class GraphWriter:
         if name in self._constants:
             return name if self._matrix_type is np.float32 else turned
         if self._matrix_type is np.int8:
-            largest = np.abs(values).max(axis=0)
-            scale = np.where(largest > 0, largest, 1) / LARGEST_INT8
+            scale = np.maximum(np.abs(values).max(axis=0).astype(np.float64), SMALLEST) / LARGEST_INT8
             constant = self._constant(name, np.rint(values / scale).astype(np.int8))
             whole = self("Cast", constant, name=f"{name}.whole", to=TensorProto.FLOAT)
             return self("Mul", whole, self.vector(f"{name}.scale", scale), name=turned)

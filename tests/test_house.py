@@ -180,6 +180,6 @@ def test_the_installed_commands_are_those_of_pyproject() -> None:
 @pytest.mark.parametrize("name", COMMANDS)
 def test_every_command_shows_an_example(name: str) -> None:
     (command,) = (entry.load() for entry in entry_points(group="captra.commands", name=name))
-    example = re.search(r"Example:\s+`?(captra \w+)", command.__doc__ or "")
+    example = re.search(r"Example:\s+`?(captra [\w-]+)", command.__doc__ or "")
     assert example is not None, f"the docstring of {name} has no example"
     assert example[1] == f"captra {name}"

@@ -110,13 +110,13 @@ def make_targets() -> set[str]:
 
 @pytest.mark.parametrize("text", [pytest.param(text, id=name) for name, text in PAGES.items()])
 def test_what_it_names_exists(text: str) -> None:
-    assert set(re.findall(r"`captra (\w+)", text)) <= set(house.COMMANDS)
+    assert set(re.findall(r"`captra ([\w-]+)", text)) <= set(house.COMMANDS)
     assert set(re.findall(r"`make ([a-z]+)", text)) <= make_targets()
     assert set(re.findall(r"CAPTRA_[A-Z0-9_]*[A-Z0-9]", text)) <= SETTINGS | OF_CLIENTS
 
 
 def test_the_readme_names_every_command() -> None:
-    named = set(re.findall(r"`captra (\w+)", README))
+    named = set(re.findall(r"`captra ([\w-]+)", README))
     assert set(house.COMMANDS) - named <= {"demo", "serve"}, "these are shown as make targets"
 
 
