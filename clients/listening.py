@@ -168,7 +168,8 @@ def subscribe(session: zenoh.Session, stem: str, inbox: Inbox[Heard]) -> None:
 
     for kind in KINDS:
         session.declare_subscriber(f"{stem}/{kind}", receive)
-    session.liveliness().declare_subscriber(f"{stem}/{ALIVE}", receive)
+    # With those that were there before: one may be opened before the router knows of the subscriber.
+    session.liveliness().declare_subscriber(f"{stem}/{ALIVE}", receive, history=True)
 
 
 def heard_of(sample: zenoh.Sample) -> Heard:
