@@ -41,12 +41,12 @@ def with_rotation(training: Training, rotation: Path) -> Training:
     Raises:
         CheckpointError: it is no checkpoint.
     """
-    info = _without(training_info(rotation), *TOLD_ELSEWHERE)
-    meshes = tuple(MeshCredit(**mesh) for mesh in training_info(rotation).get("meshes", ()))
+    info = training_info(rotation)
+    meshes = tuple(MeshCredit(**mesh) for mesh in info.get("meshes", ()))
     return replace(
         training,
         meshes=tuple(dict.fromkeys((*training.meshes, *meshes))),
-        details={**training.details, "rotation": info},
+        details={**training.details, "rotation": _without(info, *TOLD_ELSEWHERE)},
     )
 
 
