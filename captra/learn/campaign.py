@@ -221,9 +221,9 @@ class LocalSteps:
 
     def make_views(self, category: str) -> None:
         """Shards that are there already are kept."""
-        command = [sys.executable, "-m", "captra.data.generate", "--category", category, "--count", str(self.views)]
-        command += ["--seed", str(self.seed), "--out", str(self.folders.views(category))]
-        run(command + (["--meshes", str(self.meshes)] if self.meshes else []))
+        mixed_in = ["--meshes", str(self.meshes)] if self.meshes else []
+        views = ["--count", str(self.views), "--seed", str(self.seed), "--out", str(self.folders.views(category))]
+        captra("generate", "--category", category, *views, *mixed_in)
 
     def train(self, category: str, stretch: Stretch, until: int) -> None:
         """Go on with the run; the trainer saves when it stops."""
@@ -293,22 +293,13 @@ class MilestoneReached(Exception):  # noqa: N818 - it is no error
     """Training has come far enough for now."""
 
 
-def run(command: Sequence[str]) -> None:
-    """Run a command to its end; stopping this process stops it too.
-
-    Raises:
-        subprocess.CalledProcessError: it failed.
-    """
-    subprocess.run(command, check=True)
-
-
 def captra(*arguments: str) -> None:
-    """Run one of this project's commands to its end.
+    """Run one of this project's commands to its end; stopping this process stops it too.
 
     Raises:
         subprocess.CalledProcessError: it failed.
     """
-    run([sys.executable, "-m", "captra", *arguments])
+    subprocess.run([sys.executable, "-m", "captra", *arguments], check=True)
 
 
 def yield_to_others() -> None:
