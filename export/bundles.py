@@ -11,8 +11,9 @@ import onnx
 from captra.categories import Category, get_category
 from captra.learn.checkpoint import load_coordinate_net, load_rotation_net
 from captra.learn.coordinate_net import CoordinateNet
-from captra.learn.from_bundle import coordinate_net_of_graph
+from captra.learn.from_bundle import coordinate_net_of_graph, rotation_net_of_graph
 from captra.learn.networks import TorchNetworks
+from captra.learn.plan import NetworkName
 from captra.learn.rotation_net import RotationNet
 from captra.runtime.bundle import COORDINATE, ROTATION, Manifest, load_manifest, sha256_of, verify, write_manifest
 from captra.runtime.onnx_networks import OnnxNetworks
@@ -20,7 +21,7 @@ from captra.sampling import PROFILES
 from export.graph import OPSET
 from export.onnx_export import coordinate_model, rotation_model
 from export.parity import Difference, require_parity
-from export.provenance import input_sampling_of, rotation_fusion_of, rotation_share_of, training_of, with_rotation
+from export.provenance import input_sampling_of, rotation_fusion_of, rotation_share_of, training_of, with_network
 
 
 def unchanged(manifest: Manifest) -> Manifest:
@@ -82,15 +83,21 @@ def export_bundle(
     return manifest
 
 
-def replace_rotation(
-    rotation: Path, precision: str, bundle: Path, *, report: Callable[[str, Difference], None] = silent
+def replace_network(
+    name: NetworkName,
+    checkpoint: Path,
+    precision: str,
+    bundle: Path,
+    *,
+    report: Callable[[str, Difference], None] = silent,
 ) -> Manifest:
-    """Give a bundle another RotationNet; its CoordinateNet stays as it is, to the byte.
+    """Give a bundle another CoordinateNet or RotationNet; the network that stays does so to the byte.
 
     What was measured of the bundle (scores, calibration, found errors) is no longer true, and goes.
 
     Args:
-        rotation: checkpoint of a RotationNet of the bundle's category, as `captra train --rotation-anew` leaves it.
+        name: of the network that is replaced.
+        checkpoint: of a network that fits the bundle's category, as `captra train --only` leaves it.
         precision: of its stored weights: float32, float16 or int8.
         bundle: the folder; changed once the new graph agrees with the checkpoint at every profile.
         report: told how far ONNX Runtime and PyTorch are apart at each profile.
@@ -104,18 +111,32 @@ def replace_rotation(
     before = load_manifest(bundle)
     verify(bundle, before)
     category = get_category(before.category)
-    rotation_net = load_rotation_net(rotation, category)
-    coordinate_net = coordinate_net_of_graph(bundle / COORDINATE, category)
+    replaces_rotation = name == "rotation"
+    coordinate_net = (
+        coordinate_net_of_graph(bundle / COORDINATE, category)
+        if replaces_rotation
+        else load_coordinate_net(checkpoint, category)
+    )
+    rotation_net = (
+        load_rotation_net(checkpoint, category)
+        if replaces_rotation
+        else rotation_net_of_graph(bundle / ROTATION, category)
+    )
     with tempfile.TemporaryDirectory(prefix=f".{bundle.name}-", dir=bundle.parent) as scratch:
         folder = Path(scratch)
-        shutil.copy2(bundle / COORDINATE, folder / COORDINATE)
-        onnx.save(rotation_model(rotation_net, precision), folder / ROTATION)
+        for file in (COORDINATE, ROTATION):
+            shutil.copy2(bundle / file, folder / file)
+        if replaces_rotation:
+            onnx.save(rotation_model(rotation_net, precision), folder / ROTATION)
+            changed = replace(before, rotation_share=rotation_share_of(checkpoint))
+        else:
+            onnx.save(coordinate_model(coordinate_net, precision), folder / COORDINATE)
+            changed = replace(before, input_sampling=input_sampling_of(checkpoint))
         manifest = replace(
-            before,
+            changed,
             precision=" and ".join(dict.fromkeys([before.precision.split(" and ")[0], precision])),
-            sha256={name: sha256_of(folder / name) for name in (COORDINATE, ROTATION)},
-            training=with_rotation(before.training, rotation),
-            rotation_share=rotation_share_of(rotation),
+            sha256={file: sha256_of(folder / file) for file in (COORDINATE, ROTATION)},
+            training=with_network(before.training, name, checkpoint),
             scores=(),
             health={},
             found_error={},

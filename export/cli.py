@@ -3,11 +3,17 @@
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+if TYPE_CHECKING:
+    from captra.learn.plan import NetworkName
+
 Checkpoint = Annotated[Path, typer.Option(exists=True, dir_okay=False, help="A .pt file, the authors' or ours.")]
+OtherCheckpoint = Annotated[
+    Path | None, typer.Option(exists=True, dir_okay=False, help="A .pt file: the network that the bundle is to have.")
+]
 
 
 Precision = Annotated[str, typer.Option(help="How weights are stored: float32, float16 or int8.")]
@@ -49,29 +55,41 @@ def export(
         typer.echo(f"wrote {out}: {', '.join(manifest.sha256)}, weights in {precision}")
 
 
-def replace_rotation(
-    rotation: Checkpoint,
+def replace_network(
     bundle: Annotated[Path, typer.Option(exists=True, file_okay=False, help="Folder of the bundle that changes.")],
+    coordinate: OtherCheckpoint = None,
+    rotation: OtherCheckpoint = None,
     precision: Precision = "int8",
 ) -> None:
-    """Give a bundle another RotationNet and keep its CoordinateNet; scores and calibration go, for they were others'.
+    """Give a bundle another CoordinateNet or RotationNet and keep the other; what was measured of both goes.
 
-    Example: captra replace-rotation --rotation .campaign/runs/mug/anew/rotation.pt --bundle models/mug
+    Example: captra replace-network --rotation .campaign/runs/mug/anew/rotation.pt --bundle models/mug
     """
     with errors_for_people():
         from export import bundles
         from export.parity import Difference
 
+        name, checkpoint = _the_one(coordinate, rotation)
+
         def report(profile: str, difference: Difference) -> None:
             typer.echo(
-                f"{profile}: differs from PyTorch by at most {difference.mean_rotation_deg:.1e}° in mean rotations"
+                f"{profile}: differs from PyTorch by at most {difference.coordinates:.1e} in coordinates, "
+                f"{difference.mean_rotation_deg:.1e}° in mean rotations"
             )
 
-        manifest = bundles.replace_rotation(rotation, precision, bundle, report=report)
+        manifest = bundles.replace_network(name, checkpoint, precision, bundle, report=report)
         typer.echo(
-            f"{bundle} has another RotationNet, weights in {precision}; next: captra fuse --category "
+            f"{bundle} has another network for {name}, weights in {precision}; next: captra fuse --category "
             f"{manifest.category}, captra calibrate, captra evaluate --write-scores"
         )
+
+
+def _the_one(coordinate: Path | None, rotation: Path | None) -> "tuple[NetworkName, Path]":
+    if coordinate is not None and rotation is None:
+        return "coordinate", coordinate
+    if rotation is not None and coordinate is None:
+        return "rotation", rotation
+    raise typer.BadParameter("say either --coordinate FILE or --rotation FILE; both make a bundle: captra export")
 
 
 def step(

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from captra.learn.checkpoint import is_authors, training_info
-from captra.learn.plan import Plan
+from captra.learn.plan import NetworkName, Plan
 from captra.runtime.bundle import MeshCredit, Training
 from captra.sampling import InputSampling
 
@@ -35,18 +35,18 @@ def training_of(coordinate: Path, rotation: Path) -> Training:
     )
 
 
-def with_rotation(training: Training, rotation: Path) -> Training:
-    """The same CoordinateNet, and what the checkpoint of another RotationNet says of its training.
+def with_network(training: Training, name: NetworkName, checkpoint: Path) -> Training:
+    """One network as it was, and what the checkpoint of the other says of its training.
 
     Raises:
         CheckpointError: it is no checkpoint.
     """
-    info = training_info(rotation)
+    info = training_info(checkpoint)
     meshes = tuple(MeshCredit(**mesh) for mesh in info.get("meshes", ()))
     return replace(
         training,
         meshes=tuple(dict.fromkeys((*training.meshes, *meshes))),
-        details={**training.details, "rotation": _without(info, *TOLD_ELSEWHERE)},
+        details={**training.details, name: _without(info, *TOLD_ELSEWHERE)},
     )
 
 

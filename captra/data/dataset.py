@@ -93,20 +93,20 @@ def read_shard(folder: Path) -> ViewShard:
 
 
 class ViewDataset:
-    """All views of a folder, in the order in which their shards were found; a second process may be adding to it."""
+    """All views of folders, in the order in which their shards were found; a second process may be adding to them."""
 
-    def __init__(self, folder: Path) -> None:
-        self._folder = Path(folder)
+    def __init__(self, *folders: Path) -> None:
+        self._folders = folders
         self._shards: list[ViewShard] = []
-        self._known: set[str] = set()
+        self._known: set[Path] = set()
         self._starts = np.zeros(1, np.int64)
         self.refresh()
 
     def refresh(self) -> int:
         """Look for new shards; views found before keep their index. Returns how many views there are now."""
-        for path in sorted(self._folder.glob(SHARD_PATTERN)):
-            if path.name not in self._known:
-                self._known.add(path.name)
+        for path in (path for folder in self._folders for path in sorted(folder.glob(SHARD_PATTERN))):
+            if path not in self._known:
+                self._known.add(path)
                 self._shards.append(read_shard(path))
         self._starts = np.cumsum([0, *(len(shard) for shard in self._shards)], dtype=np.int64)
         return len(self)

@@ -252,12 +252,12 @@ class LocalSteps:
             trainer.run(stop_there)
 
     def export(self, category: str, stretch: Stretch) -> None:
-        """As `captra export` or `captra replace-rotation`, `captra fuse` and `captra calibrate` do."""
+        """As `captra export` or `captra replace-network`, `captra fuse` and `captra calibrate` do."""
         out, checkpoints = self.folders.candidate(category), self.folders.run(category, stretch)
         rotation = ["--rotation", str(checkpoints / "rotation.pt")]
         if stretch is ROTATION_ANEW:
             replace_bundle(self.folders.models / category, out)
-            captra("replace-rotation", "--bundle", str(out), *rotation)
+            captra("replace-network", "--bundle", str(out), *rotation)
         else:
             coordinate = ["--coordinate", str(checkpoints / "coordinate.pt")]
             captra("export", "--category", category, "--out", str(out), *coordinate, *rotation)

@@ -1,11 +1,12 @@
 """`captra train`: from rendered views to checkpoints."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
+from captra.categories import Category
 from captra.errors import UserError
 
 DEFAULT_FOLDER = Path(".campaign")
@@ -17,12 +18,16 @@ class NoViewsError(UserError):
     """There is nothing to train on."""
 
 
+class UnlikeError(UserError):
+    """Categories that no network can serve together."""
+
+
 def train(
     category: Annotated[str | None, typer.Option(help="What to train, e.g. mug.")] = None,
     everything: Annotated[
         bool, typer.Option("--all", help="All categories one after the other, from views to bundles in models/.")
     ] = False,
-    samples: Annotated[int, typer.Option(help="Samples that each network sees before the run ends.")] = 60_000,
+    samples: Annotated[int, typer.Option(help="Samples that each network sees before the run ends.", min=1)] = 60_000,
     folder: Annotated[
         Path, typer.Option(help="Campaign folder: views are read from it, state goes to it.")
     ] = DEFAULT_FOLDER,
@@ -31,13 +36,17 @@ def train(
         Path | None,
         typer.Option(help="Bundle or folder of checkpoints to start from; its name is their category."),
     ] = None,
-    rotation_anew: Annotated[
-        bool,
+    only: Annotated[
+        Literal["coordinate", "rotation"] | None,
         typer.Option(
-            "--rotation-anew",
-            help="Train RotationNet alone, from the backbone of the CoordinateNet to start from, which stays as it is.",
+            help="Train one network: RotationNet anew, from the backbone of the CoordinateNet to start from, or "
+            "CoordinateNet further."
         ),
-    ] = False,
+    ] = None,
+    shared_with: Annotated[
+        list[str] | None,
+        typer.Option(help="Another category whose views are mixed in, so that the networks serve it as well."),
+    ] = None,
     learning_rate: Annotated[
         float | None,
         typer.Option(
@@ -72,8 +81,9 @@ def train(
 
     if (category is None) != everything:
         raise typer.BadParameter("say either --category NAME or --all")
-    if category is not None:
-        check_views(get_category(category).name, folder)
+    shown = [] if category is None else [category, *(shared_with or [])]
+    for name in shown:
+        check_views(get_category(name).name, folder)
 
     def interrupt(*_: object) -> None:
         raise KeyboardInterrupt
@@ -85,16 +95,16 @@ def train(
     if category is None:
         run_campaign(folder, samples, threads, seed, meshes, console.print)
         return
-    chosen, where = get_category(category), views_of(category, folder)
-    views = ViewDataset(where)
+    chosen = get_category(category)
+    check_alike(chosen, map(get_category, shown))
+    where = [views_of(name, folder) for name in shown]
     state = folder / "runs" / category / run
-    if rotation_anew and start_from is None:
-        raise typer.BadParameter("--rotation-anew takes CoordinateNet from somewhere: say --start-from models/NAME")
-    further = start_from is not None and start_from.name == category and not rotation_anew
+    if only is not None and start_from is None:
+        raise typer.BadParameter(f"--only {only} takes CoordinateNet from somewhere: say --start-from models/NAME")
+    further = start_from is not None and start_from.name == category and only != ROTATION
     rate = learning_rate or (FURTHER_LEARNING_RATE if further else Plan.learning_rate)
-    networks = (ROTATION,) if rotation_anew else Plan.networks
-    plan = Plan(samples=samples, seed=seed, learning_rate=rate, networks=networks)
-    trainer = Trainer(chosen, views, plan, state, provenance(where))
+    plan = Plan(samples=samples, seed=seed, learning_rate=rate, networks=(only,) if only else Plan.networks)
+    trainer = Trainer(chosen, ViewDataset(*where), plan, state, provenance(*where))
     if start_from is not None and trainer.progress.samples == 0:
         trainer.start_from(get_category(start_from.name), start_from)
     columns = (
@@ -137,6 +147,24 @@ def check_views(category: str, folder: Path) -> None:
             f"there are no views in {where}: make some first, with "
             f"captra generate --category {category} --count 12000 --seed 1 --out {where}"
         )
+
+
+def check_alike(category: Category, others: Iterable[Category]) -> None:
+    """Networks serve categories that have as many parts, joints of the same kinds, and the same symmetry.
+
+    Raises:
+        UnlikeError: one is of another kind.
+    """
+    for other in others:
+        if _kind(other) != _kind(category):
+            raise UnlikeError(
+                f"{other.name} cannot share networks with {category.name}: parts, joints and symmetry must be the same"
+            )
+
+
+def _kind(category: Category) -> tuple[object, ...]:
+    joints = tuple((joint.kind, joint.child, joint.parent, joint.axis) for joint in category.joints)
+    return len(category.parts), category.root, joints, category.symmetric, category.background
 
 
 def run_campaign(

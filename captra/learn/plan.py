@@ -1,10 +1,14 @@
 """What a training run is to do, stage by stage."""
 
 from dataclasses import dataclass, field
+from typing import Literal
 
 from captra.sampling import REALTIME, InputSampling, Profile
 
-COORDINATE, ROTATION = "coordinate", "rotation"
+NetworkName = Literal["coordinate", "rotation"]
+
+COORDINATE: NetworkName = "coordinate"
+ROTATION: NetworkName = "rotation"
 
 TINY = Profile("tiny", 512, (128, 32), ((8, 16, 32), (16, 32)))
 """Half of `SMALL`'s points at its groups: where a run starts, twice as many samples in the same time."""
@@ -57,8 +61,9 @@ class Plan:
         Stage(until=1.0, profiles=(REALTIME, REALTIME, PAPER_LIGHT)),
     )
     """Few points and small groups first, the mix of what is served last."""
-    networks: tuple[str, ...] = (COORDINATE, ROTATION)
-    """What is trained; RotationNet alone starts anew from the backbone of a CoordinateNet that stays as it is."""
+    networks: tuple[NetworkName, ...] = (COORDINATE, ROTATION)
+    """What is trained; RotationNet alone starts anew from the backbone of a CoordinateNet that stays as it is, and
+    CoordinateNet alone goes on."""
     seed: int = 1
     """Of weights, views and perturbations."""
 

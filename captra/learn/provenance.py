@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import Any
 
 
-def provenance(views: Path) -> dict[str, Any]:
-    """The commit that trains, and the library meshes that were mixed into the views of a folder."""
-    return {"commit": _commit(), "meshes": _credits(views / "sources.json")}
+def provenance(*views: Path) -> dict[str, Any]:
+    """The commit that trains, and the library meshes that were mixed into the views of the folders."""
+    return {"commit": _commit(), "meshes": [credit for folder in views for credit in _credits(folder / "sources.json")]}
 
 
 def _commit() -> str:

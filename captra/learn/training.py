@@ -14,17 +14,18 @@ from torch import nn
 
 from captra.categories import Category
 from captra.data.view import View
+from captra.errors import UserError
 from captra.learn.checkpoint import CheckpointError, load_coordinate_net, load_rotation_net, save_checkpoint
 from captra.learn.coordinate_net import CoordinateNet
 from captra.learn.from_bundle import coordinate_net_of_graph, restore_norms, rotation_net_of_graph
 from captra.learn.learner import Learner
 from captra.learn.objectives import coordinate_objective, rotation_objective
 from captra.learn.perturbation import PerturbationMix, rotation_fusion_for
-from captra.learn.plan import COORDINATE, Plan
+from captra.learn.plan import COORDINATE, ROTATION, Plan
 from captra.learn.pointnet2 import copy_backbone
 from captra.learn.rotation_net import RotationNet
 from captra.learn.samples import Batch, Sample, SampleMaker, stack
-from captra.sampling import NoPointsError
+from captra.sampling import NoPointsError, Profile
 
 STATE_FILE = "state.pt"
 LOG_FILE = "log.jsonl"
@@ -33,6 +34,14 @@ NORM_BATCHES = 12
 """Batches that the statistics of norms are measured on."""
 SOME_POINTS = 64
 """RotationNet's heads have no such statistics: they need not run on many."""
+
+
+MOST_REFUSED = 2_000
+"""Views in a row that show too little of the object before training gives up."""
+
+
+class PoorViewsError(UserError):
+    """No view shows enough to learn from."""
 
 
 def transplant(source: nn.Module, target: nn.Module) -> None:
@@ -189,7 +198,8 @@ class Trainer:
         """One step of both networks at a time; they share nothing but the batch."""
         rate = self.plan.learning_rate_at(self.progress.samples)
         steps = [pool.submit(self._coordinate_step, batch, rate)] if COORDINATE in self.plan.networks else []
-        if self.progress.rotation_started or self.progress.samples >= self.plan.head_start * self.plan.samples:
+        due = self.progress.rotation_started or self.progress.samples >= self.plan.head_start * self.plan.samples
+        if due and ROTATION in self.plan.networks:
             self._start_rotation()
             steps.append(pool.submit(self._rotation_step, batch, rate))
         return {name: value for step in steps for name, value in step.result().items()}
@@ -230,15 +240,29 @@ class Trainer:
         profile = profiles[int(rng.integers(len(profiles)))]
         self.views.refresh()
         samples: list[Sample] = []
+        refused = 0
         while len(samples) < self.plan.batch_size:
-            view = self.views[int(rng.integers(len(self.views)))]
-            if np.count_nonzero(view.labels < self.category.num_parts) < self.plan.least_object_points:
+            sample = self._draw(profile, rng)
+            if sample is not None:
+                samples.append(sample)
                 continue
-            try:
-                samples.append(self._make_sample(view, profile, rng))
-            except NoPointsError:
-                continue
+            refused += 1
+            if refused > MOST_REFUSED and not samples:
+                raise PoorViewsError(
+                    f"{MOST_REFUSED} views show fewer than {self.plan.least_object_points} points of the object: "
+                    "generate others"
+                )
         return stack(samples)
+
+    def _draw(self, profile: Profile, rng: np.random.Generator) -> Sample | None:
+        """A sample of any view; None where it shows too little."""
+        view = self.views[int(rng.integers(len(self.views)))]
+        if np.count_nonzero(view.labels < self.category.num_parts) < self.plan.least_object_points:
+            return None
+        try:
+            return self._make_sample(view, profile, rng)
+        except NoPointsError:
+            return None
 
     def _log(self, terms: dict[str, float]) -> None:
         with (self.folder / LOG_FILE).open("a") as log:

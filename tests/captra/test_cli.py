@@ -31,7 +31,7 @@ def module(monkeypatch: pytest.MonkeyPatch, name: str, source: str) -> None:
 def test_help_lists_every_command_with_its_first_line() -> None:
     ended = captra("--help")
     assert ended.returncode == 0
-    for name in ("demo", "track", "serve", "step", "export", "replace-rotation", "train", "evaluate", "response"):
+    for name in ("demo", "track", "serve", "step", "export", "replace-network", "train", "evaluate", "response"):
         assert f" {name} " in ended.stdout
     assert "Not available" not in ended.stdout
 

@@ -9,13 +9,13 @@ from typer.testing import CliRunner
 
 from captra.runtime.bundle import COORDINATE, ROTATION, Score, load_manifest, verify, write_manifest
 from captra.sampling import InputSampling
-from export.cli import export, replace_rotation, step
+from export.cli import export, replace_network, step
 from tests import reference
 from tests.made_up import write_bundle, write_checkpoints
 
 APP = typer.Typer()
 APP.command("export")(export)
-APP.command("replace-rotation")(replace_rotation)
+APP.command("replace-network")(replace_network)
 APP.command("step")(step)
 
 
@@ -109,7 +109,7 @@ def test_another_rotation_net_leaves_the_rest_and_takes_away_what_was_measured(t
     coordinate = (bundle / COORDINATE).read_bytes()
     info = {"samples": 77, "seed": 5, "meshes": [{"name": "cup", "license": "CC0", "attribution": "A. Nother"}]}
     _, rotation = write_checkpoints("mug", tmp_path, info)
-    status, output = run("replace-rotation", "--rotation", rotation, "--bundle", bundle)
+    status, output = run("replace-network", "--rotation", rotation, "--bundle", bundle)
     assert status == 0, output
     assert "next: captra fuse --category mug" in output
     after = load_manifest(bundle)
@@ -123,11 +123,37 @@ def test_another_rotation_net_leaves_the_rest_and_takes_away_what_was_measured(t
     assert sorted(path.name for path in tmp_path.iterdir()) == ["coordinate.pt", "mug", "rotation.pt"]
 
 
+def test_another_coordinate_net_leaves_rotation_net_as_it_is(tmp_path: Path) -> None:
+    bundle = write_bundle("mug", tmp_path / "mug")
+    rotation = (bundle / ROTATION).read_bytes()
+    info: dict[str, object] = {"samples": 99, "input_sampling": {"surroundings_weight": 0.25, "margin": 0.2}}
+    coordinate, _ = write_checkpoints("mug", tmp_path, info)
+    status, output = run("replace-network", "--coordinate", coordinate, "--bundle", bundle)
+    assert status == 0, output
+    after = load_manifest(bundle)
+    verify(bundle, after)
+    assert (bundle / ROTATION).read_bytes() == rotation
+    assert after.training.details["coordinate"] == {"samples": 99}
+    assert after.input_sampling == InputSampling(surroundings_weight=0.25, margin=0.2)
+    assert after.precision == "float16 and int8"
+
+
+@pytest.mark.parametrize("given", [[], ["--coordinate", "--rotation"]])
+def test_one_network_is_replaced_at_a_time(given: list[str], tmp_path: Path) -> None:
+    bundle = write_bundle("mug", tmp_path / "mug")
+    files = dict(zip(("--coordinate", "--rotation"), write_checkpoints("mug", tmp_path), strict=True))
+    status, output = run(
+        "replace-network", "--bundle", bundle, *(part for name in given for part in (name, files[name]))
+    )
+    assert status == 2
+    assert "either --coordinate FILE or --rotation FILE" in output
+
+
 def test_a_rotation_net_of_another_category_changes_nothing(tmp_path: Path) -> None:
     bundle = write_bundle("bottle", tmp_path / "bottle")
     before = {path.name: path.read_bytes() for path in bundle.iterdir()}
     _, rotation = write_checkpoints("mug", tmp_path)
-    status, output = run("replace-rotation", "--rotation", rotation, "--bundle", bundle)
+    status, output = run("replace-network", "--rotation", rotation, "--bundle", bundle)
     assert status == 1
     assert "is not the RotationNet of bottle" in output
     assert {path.name: path.read_bytes() for path in bundle.iterdir()} == before

@@ -50,6 +50,14 @@ def test_seeds_add_views_without_moving_those_found_before(tmp_path: Path) -> No
     assert len(list(dataset)) == 5
 
 
+def test_several_folders_make_one_collection(tmp_path: Path) -> None:
+    fill(tmp_path / "mug", count=3)
+    fill(tmp_path / "can", count=2)
+    dataset = ViewDataset(tmp_path / "mug", tmp_path / "can")
+    assert len(dataset) == 5, "shards of the same name in two folders are two shards"
+    np.testing.assert_array_equal(dataset[3].points, ViewDataset(tmp_path / "can")[0].points)
+
+
 def test_an_index_beyond_the_end_is_refused(tmp_path: Path) -> None:
     fill(tmp_path, count=2)
     with pytest.raises(IndexError, match="refresh"):

@@ -11,8 +11,8 @@ from captra.categories import get_category
 from captra.data.view import View
 from captra.learn.checkpoint import CheckpointError, load_coordinate_net, load_rotation_net, training_info
 from captra.learn.curves import plot_curves
-from captra.learn.plan import ROTATION, Plan, Stage
-from captra.learn.training import LOG_FILE, STATE_FILE, Progress, Trainer
+from captra.learn.plan import COORDINATE, ROTATION, Plan, Stage
+from captra.learn.training import LOG_FILE, STATE_FILE, PoorViewsError, Progress, Trainer
 from captra.sampling import Profile
 from tests.made_up import batch_of_clouds, networks_of, write_bundle
 from tests.oracle import scene
@@ -91,6 +91,11 @@ def test_a_finished_run_has_nothing_left_to_do(tmp_path: Path) -> None:
     assert train(tmp_path) == []
 
 
+def test_views_that_show_too_little_end_a_run_with_advice(tmp_path: Path) -> None:
+    with pytest.raises(PoorViewsError, match="fewer than 9999 points of the object: generate others"):
+        train(tmp_path, replace(PLAN, least_object_points=9_999))
+
+
 def test_a_new_run_can_start_from_the_weights_of_another(tmp_path: Path) -> None:
     train(tmp_path / "old")
     trainer = Trainer(get_category("mug"), FewViews("mug"), replace(PLAN, seed=2), tmp_path / "new")
@@ -145,6 +150,21 @@ def test_rotation_net_can_be_trained_anew_beside_a_coordinate_net_that_stays(tmp
         trainer.rotation.network.state_dict()["backbone.last.weight"], started["backbone.last.weight"]
     )
     assert all(name.startswith("rotation/") for of_step in terms for name in of_step)
+
+
+def test_coordinate_net_can_be_trained_on_beside_a_rotation_net_that_stays(tmp_path: Path) -> None:
+    train(tmp_path / "mug")
+    mug = get_category("mug")
+    trainer = Trainer(mug, FewViews("mug"), replace(PLAN, networks=(COORDINATE,)), tmp_path / "further")
+    trainer.start_from(mug, tmp_path / "mug")
+    last = "backbone.last.weight"
+    before, started = (copy.deepcopy(one.network.state_dict()) for one in (trainer.rotation, trainer.coordinate))
+    torch.testing.assert_close(started, dict(load_coordinate_net(tmp_path / "mug" / "coordinate.pt", mug).state_dict()))
+    terms: list[dict[str, float]] = []
+    trainer.run(lambda _, of_step: terms.append(of_step))
+    torch.testing.assert_close(trainer.rotation.network.state_dict(), before)
+    assert not torch.equal(trainer.coordinate.network.state_dict()[last], started[last])
+    assert not any(name.startswith("rotation/") for of_step in terms for name in of_step)
 
 
 def test_learning_rate_halves_evenly_and_stages_follow_each_other() -> None:
