@@ -49,7 +49,7 @@ def export_bundle(
         coordinate: CoordinateNet's checkpoint, of the authors or ours.
         rotation: RotationNet's.
         category: of both.
-        precision: of the stored weights: float32, float16 or int8.
+        precision: of the stored weights: float32, float16, int8, int6 or int5.
         out: the bundle's folder; its three files are replaced if they are there.
         describe: what to change in the manifest before it is written.
         report: told how far ONNX Runtime and PyTorch are apart at each profile.
@@ -98,7 +98,7 @@ def replace_network(
     Args:
         name: of the network that is replaced.
         checkpoint: of a network that fits the bundle's category, as `captra train --only` leaves it.
-        precision: of its stored weights: float32, float16 or int8.
+        precision: of its stored weights: float32, float16, int8, int6 or int5.
         bundle: the folder; changed once the new graph agrees with the checkpoint at every profile.
         report: told how far ONNX Runtime and PyTorch are apart at each profile.
 
@@ -134,7 +134,7 @@ def replace_network(
             changed = replace(before, input_sampling=input_sampling_of(checkpoint))
         manifest = replace(
             changed,
-            precision=" and ".join(dict.fromkeys([before.precision.split(" and ")[0], precision])),
+            precision=_with_precision(before.precision, name, precision),
             sha256={file: sha256_of(folder / file) for file in (COORDINATE, ROTATION)},
             training=with_network(before.training, name, checkpoint),
             scores=(),
@@ -143,6 +143,13 @@ def replace_network(
         )
         _publish(folder, manifest, coordinate_net, rotation_net, precision, bundle, report)
     return manifest
+
+
+def _with_precision(before: str, name: NetworkName, precision: str) -> str:
+    """Of both networks, CoordinateNet's first; said once if it is the same."""
+    first, *second = before.split(" and ")
+    both = (precision, *(second or [first])) if name == "coordinate" else (first, precision)
+    return " and ".join(dict.fromkeys(both))
 
 
 def _publish(

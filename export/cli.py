@@ -16,7 +16,7 @@ OtherCheckpoint = Annotated[
 ]
 
 
-Precision = Annotated[str, typer.Option(help="How weights are stored: float32, float16 or int8.")]
+Precision = Annotated[str, typer.Option(help="How weights are stored: float32, float16, int8, int6 or int5.")]
 
 
 def export(

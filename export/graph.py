@@ -1,6 +1,7 @@
 """Writing ONNX graphs node by node: values are names, and every node is named after its output."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -14,11 +15,16 @@ OPSET = 17
 IR_VERSION = 8
 """The one that came with the opset."""
 
-PRECISIONS: dict[str, type[np.number]] = {"float32": np.float32, "float16": np.float16, "int8": np.int8}
+LARGEST_WHOLE = MappingProxyType({"int8": 127, "int6": 31, "int5": 15})
+"""What the largest weight of a column becomes where weights are whole numbers. Each fills a byte: those with fewer bits
+take less room once they are compressed, as by git. The number below the least is left unused, so that columns stay
+symmetric."""
+
+PRECISIONS: Mapping[str, type[np.number]] = MappingProxyType(
+    {"float32": np.float32, "float16": np.float16, **dict.fromkeys(LARGEST_WHOLE, np.int8)}
+)
 """How matrices are stored; arithmetic is float32 in any case, unless the runtime lowers it."""
 
-LARGEST_INT8 = 127
-"""What the largest weight of a column becomes; -128 is left unused, so that columns stay symmetric."""
 SMALLEST = 1e-30
 """Columns of weights smaller than that become nothing."""
 
@@ -34,6 +40,7 @@ class GraphWriter:
         if precision not in PRECISIONS:
             raise PrecisionError(f"unknown precision {precision!r}: choose one of {', '.join(PRECISIONS)}")
         self._matrix_type = PRECISIONS[precision]
+        self._largest_whole = LARGEST_WHOLE.get(precision)
         self._nodes: list[onnx.NodeProto] = []
         self._constants: dict[str, onnx.TensorProto] = {}
 
@@ -57,7 +64,7 @@ class GraphWriter:
     def matrix(self, name: str, values: Float[np.ndarray, "inputs outputs"]) -> str:
         """A matrix of weights, stored in the graph's precision and turned to float32, once, when the model is loaded.
 
-        Whole numbers of 8 bits come with the scale of their column, `{name}.scale`.
+        Whole numbers come with the scale of their column, `{name}.scale`.
 
         Raises:
             PrecisionError: a weight is too large for the precision.
@@ -65,8 +72,8 @@ class GraphWriter:
         turned = f"{name}.float32"
         if name in self._constants:
             return name if self._matrix_type is np.float32 else turned
-        if self._matrix_type is np.int8:
-            scale = np.maximum(np.abs(values).max(axis=0).astype(np.float64), SMALLEST) / LARGEST_INT8
+        if self._largest_whole is not None:
+            scale = np.maximum(np.abs(values).max(axis=0).astype(np.float64), SMALLEST) / self._largest_whole
             constant = self._constant(name, np.rint(values / scale).astype(np.int8))
             whole = self("Cast", constant, name=f"{name}.whole", to=TensorProto.FLOAT)
             return self("Mul", whole, self.vector(f"{name}.scale", scale), name=turned)

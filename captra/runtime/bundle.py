@@ -74,7 +74,7 @@ class Manifest:
     symmetric: bool
     """Whether RotationNet gives the direction of the y axis only."""
     precision: str
-    """How the weights are stored."""
+    """How the weights are stored; CoordinateNet's and RotationNet's where they differ, e.g. int6 and int8."""
     opset: int
     """Of both graphs."""
     sha256: Mapping[str, str]

@@ -127,7 +127,7 @@ def test_another_coordinate_net_leaves_rotation_net_as_it_is(tmp_path: Path) -> 
     bundle = write_bundle("mug", tmp_path / "mug")
     rotation = (bundle / ROTATION).read_bytes()
     info: dict[str, object] = {"samples": 99, "input_sampling": {"surroundings_weight": 0.25, "margin": 0.2}}
-    coordinate, _ = write_checkpoints("mug", tmp_path, info)
+    coordinate, other = write_checkpoints("mug", tmp_path, info)
     status, output = run("replace-network", "--coordinate", coordinate, "--bundle", bundle)
     assert status == 0, output
     after = load_manifest(bundle)
@@ -135,7 +135,11 @@ def test_another_coordinate_net_leaves_rotation_net_as_it_is(tmp_path: Path) -> 
     assert (bundle / ROTATION).read_bytes() == rotation
     assert after.training.details["coordinate"] == {"samples": 99}
     assert after.input_sampling == InputSampling(surroundings_weight=0.25, margin=0.2)
-    assert after.precision == "float16 and int8"
+    assert after.precision == "int8 and float16"
+    for name, checkpoint, both in (("rotation", other, "int8 and int5"), ("coordinate", coordinate, "int5")):
+        status, output = run("replace-network", f"--{name}", checkpoint, "--bundle", bundle, "--precision", "int5")
+        assert status == 0, output
+        assert load_manifest(bundle).precision == both
 
 
 @pytest.mark.parametrize("given", [[], ["--coordinate", "--rotation"]])

@@ -1,3 +1,4 @@
+import zlib
 from pathlib import Path
 
 import hypothesis.strategies as st
@@ -110,16 +111,29 @@ def test_int8_weights_take_a_quarter_of_the_room_and_answer_nearly_the_same(tmp_
     assert difference.mean_rotation_deg < 1.0
 
 
-@given(arrays(np.float32, (5, 3), elements=st.floats(-100, 100, width=32)))
-def test_int8_columns_keep_their_largest_weight_and_miss_the_others_by_half_a_step(values: np.ndarray) -> None:
-    writer = GraphWriter("int8")
+def test_fewer_bits_take_less_room_once_they_are_compressed() -> None:
+    packed = [
+        len(zlib.compress(coordinate_model(networks_of("mug")[0], precision).SerializeToString()))
+        for precision in ("int8", "int6", "int5")
+    ]
+    assert packed[1] < 0.85 * packed[0]
+    assert packed[2] < 0.75 * packed[0]
+
+
+@pytest.mark.parametrize(("precision", "largest"), [("int8", 127), ("int6", 31), ("int5", 15)])
+@given(values=arrays(np.float32, (5, 3), elements=st.floats(-100, 100, width=32)))
+def test_whole_columns_keep_their_largest_weight_and_miss_the_others_by_half_a_step(
+    precision: str, largest: int, values: np.ndarray
+) -> None:
+    writer = GraphWriter(precision)
     writer("MatMul", "x", writer.matrix("w", values), name="y")
     shapes = tensor("x", TensorProto.FLOAT, 1, 5), tensor("y", TensorProto.FLOAT, 1, 3)
     constants = {
         c.name: numpy_helper.to_array(c) for c in writer.model("one", shapes[:1], shapes[1:]).graph.initializer
     }
     assert constants["w"].dtype == np.int8
-    step = np.abs(values.astype(float)).max(axis=0) / 127
+    assert np.abs(constants["w"]).max() <= largest
+    step = np.abs(values.astype(float)).max(axis=0) / largest
     assert (np.abs(constants["w"] * constants["w.scale"].astype(float) - values) <= 0.501 * step + 1e-30).all()
 
 
@@ -132,7 +146,9 @@ def test_weights_too_large_for_float16_are_refused() -> None:
 
 
 def test_an_unknown_precision_is_refused() -> None:
-    with pytest.raises(PrecisionError, match="unknown precision 'int4': choose one of float32, float16, int8"):
+    with pytest.raises(
+        PrecisionError, match="unknown precision 'int4': choose one of float32, float16, int8, int6, int5"
+    ):
         coordinate_model(networks_of("mug")[0], "int4")
 
 
