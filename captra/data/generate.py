@@ -17,6 +17,10 @@ def generate(
     mesh_fraction: Annotated[
         float, typer.Option(help="Largest share of views of library objects.", min=0, max=1)
     ] = 0.35,
+    held: Annotated[
+        float,
+        typer.Option(help="How often a hand holds the object; less for some categories.", min=0, max=1),
+    ] = 0.45,
 ) -> None:
     """Simulate views of procedural objects to train on; interrupt it whenever you like, the same command goes on.
 
@@ -29,6 +33,7 @@ def generate(
     from captra.categories import get_category
     from captra.data.generation import generate_views, write_sources
     from captra.data.meshes import load_meshes, shape_source
+    from captra.data.views import ViewOptions
 
     name = get_category(category).name
     library = load_meshes(meshes, name, "train") if meshes else ()
@@ -40,7 +45,7 @@ def generate(
         typer.echo(f"{name}: {done}/{count} views, {time.monotonic() - started:.0f} s")
 
     try:
-        generate_views(name, count, seed, out, draw_shape, progress=report)
+        generate_views(name, count, seed, out, draw_shape, ViewOptions(held_fraction=held), progress=report)
     except KeyboardInterrupt:
         typer.echo("stopped; run the same command to go on")
 

@@ -105,3 +105,10 @@ def test_the_command_writes_shards_and_their_sources(tmp_path: Path, capsys: pyt
     assert len(ViewDataset(tmp_path)) == 2
     assert (tmp_path / "sources.json").read_text() == "{}\n"
     assert "2/2" in capsys.readouterr().out
+
+
+def test_how_often_a_hand_holds_the_object_can_be_said(tmp_path: Path) -> None:
+    for held in (0.0, 1.0):
+        generate("mug", count=1, seed=3, out=tmp_path / str(held), held=held)
+    resting, held_up = (ViewDataset(tmp_path / name)[0] for name in ("0.0", "1.0"))
+    assert not np.allclose(resting.rotation, held_up.rotation)
