@@ -38,10 +38,11 @@ TOLERANCES = {
     "float32": Difference(segmentation=1e-4, coordinates=1e-4, point_rotation=1e-2, mean_rotation_deg=0.05),
     "float16": Difference(segmentation=0.05, coordinates=0.02, point_rotation=2.0, mean_rotation_deg=1.0),
     "int8": Difference(segmentation=0.1, coordinates=0.05, point_rotation=2.0, mean_rotation_deg=3.0),
-    "int6": Difference(segmentation=0.3, coordinates=0.15, point_rotation=2.0, mean_rotation_deg=5.0),
-    "int5": Difference(segmentation=0.5, coordinates=0.3, point_rotation=2.0, mean_rotation_deg=8.0),
+    "int6": Difference(segmentation=0.8, coordinates=0.15, point_rotation=2.0, mean_rotation_deg=5.0),
+    "int5": Difference(segmentation=0.9, coordinates=0.3, point_rotation=2.0, mean_rotation_deg=8.0),
 }
-"""By precision of the weights. Single points whose raw rotation is nearly degenerate amplify rounding."""
+"""By precision of the weights. Single points whose raw rotation is nearly degenerate amplify rounding, and with few bits
+single points at the edge of a part change sides."""
 
 
 def compare(one: Networks, other: Networks, seed: int = 0) -> Difference:

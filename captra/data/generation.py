@@ -53,6 +53,8 @@ def generate_views(
 
 
 def write_sources(folder: Path, sources: Mapping[str, str]) -> None:
-    """Note which library objects (name → licence) the views of a folder were made from."""
+    """Note which library objects (name → licence) the views of a folder were made from, beside those of earlier views."""
     folder.mkdir(parents=True, exist_ok=True)
-    (folder / "sources.json").write_text(json.dumps(dict(sources), indent=2, sort_keys=True) + "\n")
+    path = folder / "sources.json"
+    known = json.loads(path.read_text()) if path.exists() else {}
+    path.write_text(json.dumps({**known, **sources}, indent=2, sort_keys=True) + "\n")

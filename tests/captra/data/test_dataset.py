@@ -1,3 +1,4 @@
+import json
 from pathlib import Path
 
 import numpy as np
@@ -5,7 +6,7 @@ import pytest
 
 from captra.data.dataset import ViewDataset, pack, read_shard, write_shard
 from captra.data.generate import generate
-from captra.data.generation import generate_views
+from captra.data.generation import generate_views, write_sources
 from captra.data.shapes import make_shape
 from captra.data.view import View
 from captra.data.views import ViewOptions
@@ -105,6 +106,16 @@ def test_the_command_writes_shards_and_their_sources(tmp_path: Path, capsys: pyt
     assert len(ViewDataset(tmp_path)) == 2
     assert (tmp_path / "sources.json").read_text() == "{}\n"
     assert "2/2" in capsys.readouterr().out
+
+
+def test_the_credit_of_earlier_views_stays(tmp_path: Path) -> None:
+    write_sources(tmp_path, {"mug/cup": "CC0"})
+    write_sources(tmp_path, {})
+    write_sources(tmp_path, {"mug/beaker": "CC-BY 3.0 (A. Nother)"})
+    assert json.loads((tmp_path / "sources.json").read_text()) == {
+        "mug/cup": "CC0",
+        "mug/beaker": "CC-BY 3.0 (A. Nother)",
+    }
 
 
 def test_how_often_a_hand_holds_the_object_can_be_said(tmp_path: Path) -> None:
