@@ -41,8 +41,8 @@ TOLERANCES = {
     "int6": Difference(segmentation=0.8, coordinates=0.15, point_rotation=2.0, mean_rotation_deg=5.0),
     "int5": Difference(segmentation=0.9, coordinates=0.3, point_rotation=2.0, mean_rotation_deg=8.0),
 }
-"""By precision of the weights. Single points whose raw rotation is nearly degenerate amplify rounding, and with few bits
-single points at the edge of a part change sides."""
+"""By precision of the weights. Single points whose raw rotation is nearly degenerate amplify rounding, and with few
+bits single points at the edge of a part change sides."""
 
 
 def compare(one: Networks, other: Networks, seed: int = 0) -> Difference:
