@@ -115,7 +115,7 @@ def health(
             if rates:
                 measured += measure_rates(name, networks, sources, pool)
     if len(names) > 1:
-        found.append(figures("all", everything))
+        found.append(figures(health_report.OVERALL, everything))
         measured += list(pooled(measured))
     report = HealthReport(found, by_kind(everything), measured)
     for table in health_report.tables(report):

@@ -13,6 +13,9 @@ from captra.evaluation.prediction_rates import Rate
 
 RATE_COLUMNS = ("category", "Hz", "prediction", "frames", "5°5cm %", "rotation °", "translation cm")
 
+OVERALL = "all"
+"""The name of the figures over all categories."""
+
 KIND_COLUMNS = (
     "what goes wrong",
     "incidents",
@@ -106,19 +109,23 @@ def _sections(found: HealthReport) -> Iterator[tuple[str, tuple[str, ...], Itera
 
 
 def draw_reliability(found: Sequence[HealthFigures], picture: Path) -> None:
-    """Share of right frames over the confidence, a line a category; a dot's area tells how many frames it holds."""
+    """Share of right frames over the confidence, a line a category; a dot's area tells how many frames it holds.
+
+    Black is what holds over all categories.
+    """
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(5.4, 5.2), layout="constrained")
+    figure = Figure(figsize=(8.4, 5.0), layout="constrained")
     axes = figure.subplots()
     axes.plot([0, 1], [0, 1], color="black", linewidth=0.8, linestyle=":")
     for one in found:
         x, y = [b.confidence for b in one.reliability], [b.right.percent / 100 for b in one.reliability]
-        (line,) = axes.plot(x, y, linewidth=1.2, label=f"{one.name}, AUROC {one.auroc:.3f}")
+        style = {"color": "black", "linewidth": 2.0} if one.name == OVERALL else {"linewidth": 1.0}
+        (line,) = axes.plot(x, y, label=f"{one.name}, AUROC {one.auroc:.3f}", **style)
         sizes = [8 + 150 * b.right.whole / one.right.whole for b in one.reliability]
         axes.scatter(x, y, s=sizes, color=line.get_color(), alpha=0.6)
     axes.set(xlim=(0, 1), ylim=(0, 1), xlabel="confidence", ylabel="share of poses within 5° and 5 cm", aspect="equal")
-    axes.legend(fontsize="small")
+    figure.legend(fontsize="small", loc="outside right upper")
     figure.savefig(picture, dpi=110)
 
 
