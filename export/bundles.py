@@ -111,27 +111,21 @@ def replace_network(
     before = load_manifest(bundle)
     verify(bundle, before)
     category = get_category(before.category)
-    replaces_rotation = name == "rotation"
-    coordinate_net = (
-        coordinate_net_of_graph(bundle / COORDINATE, category)
-        if replaces_rotation
-        else load_coordinate_net(checkpoint, category)
-    )
-    rotation_net = (
-        load_rotation_net(checkpoint, category)
-        if replaces_rotation
-        else rotation_net_of_graph(bundle / ROTATION, category)
-    )
+    if name == "rotation":
+        coordinate_net = coordinate_net_of_graph(bundle / COORDINATE, category)
+        rotation_net = load_rotation_net(checkpoint, category)
+        replaced, graph = ROTATION, rotation_model(rotation_net, precision)
+        changed = replace(before, rotation_share=rotation_share_of(checkpoint))
+    else:
+        coordinate_net = load_coordinate_net(checkpoint, category)
+        rotation_net = rotation_net_of_graph(bundle / ROTATION, category)
+        replaced, graph = COORDINATE, coordinate_model(coordinate_net, precision)
+        changed = replace(before, input_sampling=input_sampling_of(checkpoint))
     with tempfile.TemporaryDirectory(prefix=f".{bundle.name}-", dir=bundle.parent) as scratch:
         folder = Path(scratch)
         for file in (COORDINATE, ROTATION):
             shutil.copy2(bundle / file, folder / file)
-        if replaces_rotation:
-            onnx.save(rotation_model(rotation_net, precision), folder / ROTATION)
-            changed = replace(before, rotation_share=rotation_share_of(checkpoint))
-        else:
-            onnx.save(coordinate_model(coordinate_net, precision), folder / COORDINATE)
-            changed = replace(before, input_sampling=input_sampling_of(checkpoint))
+        onnx.save(graph, folder / replaced)
         manifest = replace(
             changed,
             precision=_with_precision(before.precision, name, precision),

@@ -2,12 +2,13 @@
 
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated
 
 import typer
 
 from captra.categories import Category
 from captra.errors import UserError
+from captra.learn.plan import ROTATION, NetworkName, Plan
 
 DEFAULT_FOLDER = Path(".campaign")
 FURTHER_LEARNING_RATE = 4e-4
@@ -37,7 +38,7 @@ def train(
         typer.Option(help="Bundle or folder of checkpoints to start from; its name is their category."),
     ] = None,
     only: Annotated[
-        Literal["coordinate", "rotation"] | None,
+        NetworkName | None,
         typer.Option(
             help="Train one network: RotationNet anew, from the backbone of the CoordinateNet to start from, or "
             "CoordinateNet further."
@@ -74,7 +75,6 @@ def train(
     from captra.categories import get_category
     from captra.data.dataset import ViewDataset
     from captra.learn.curves import plot_curves
-    from captra.learn.plan import ROTATION, Plan
     from captra.learn.provenance import provenance
     from captra.learn.training import Progress as RunProgress
     from captra.learn.training import Trainer
