@@ -122,7 +122,7 @@ def test_tracks_as_nobody_on_a_read_only_system_and_when_the_disk_is_full(state:
         filler = running.fill()
         refused = running.post()
         assert (refused.status_code, refused.json()["reason"]) == (503, "not-stored")
-        assert running.failures() == 1
+        running.wait_for_failures(1)  # a trusted pose may have failed beside it
         assert running.frame(session_id, 1).status_code == 200
         running.wait_for_failures(3)  # poses are tried again and again
         assert running.frame(session_id, 2).status_code == 200
