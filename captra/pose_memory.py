@@ -79,7 +79,7 @@ class PoseMemory:
         usual = category.perturbation
         centre_error, rotation_error = np.array(error.centre) * given.scale[:, None], np.radians(error.rotation_deg)
         offset_share = _share(offset, centre_error, CAUTION * usual.translation_m)
-        turn_share = _share(turn, rotation_error, CAUTION * np.radians(usual.rotation_deg))
+        turn_share = _share(turn, rotation_error, np.radians(given_rotation_error_deg(category)))
         return PoseMemory(offset_share * offset, turn_share * turn)
 
     def apply(self, found: Pose, fitted: Bool[np.ndarray, " parts"]) -> Pose:
@@ -91,6 +91,11 @@ class PoseMemory:
             rotation=np.where(fitted[:, None, None], turned, found.rotation),
             translation=np.where(fitted[:, None], found.translation + offset, found.translation),
         )
+
+
+def given_rotation_error_deg(category: Category) -> float:
+    """Standard deviation of the angle by which a given pose is taken to be off."""
+    return CAUTION * category.perturbation.rotation_deg
 
 
 def _share(

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Float
 
+from captra.box_turns import BoxTurns
 from captra.containment import contained
 from captra.evidence import Evidence
 from captra.geometry import Pose
@@ -112,6 +113,7 @@ class Tracker:
         self._given = True  # and rough: the first look may well find the object elsewhere
         self._size = SizeMemory.of(pose, self._options.given_size_error)
         self._memory = PoseMemory.nothing_known(pose.num_parts)
+        self._box_turns = BoxTurns.nothing_known(pose.num_parts)
         self._slides = NO_SLIDES
         self._health = self._health.restarted()
         self._motion = self._options.motion.restarted(pose)
@@ -218,7 +220,11 @@ class Tracker:
         if self._credible and self._given:
             error = self._options.found_error or self._networks.found_error
             self._memory = PoseMemory.between(self._pose, pose, self._category, error)
+            self._box_turns = BoxTurns.between(self._pose, pose, self._category, error)
             self._slides = Slides.through(self._memory.apply(pose, found.evidence.fitted), self._category)
+        if self._credible:
+            self._box_turns = self._box_turns.updated(pose, found.evidence)
+            self._memory = self._box_turns.refine(self._memory, pose.size)
         return self._slides.apply(self._memory.apply(pose, found.evidence.fitted))
 
     @property

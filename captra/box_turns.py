@@ -1,0 +1,137 @@
+"""A part fills its box: how far it is turned in it is told by how far its points reach.
+
+How much a temple splays at rest, or how far a blade leans to its side, is a convention that no point shows, and networks
+guess it. The given box knows: it is wide where the part lies across it, and narrow where it lies along it.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from jaxtyping import Float, Float64
+
+from captra.categories import Category
+from captra.evidence import Evidence
+from captra.geometry import Pose, rotation_vector
+from captra.pose_memory import USUAL_ERROR, FoundError, PoseMemory, given_rotation_error_deg
+
+TURNS_RAD: Float64[np.ndarray, " turns"] = np.radians(np.arange(-15.0, 16.0))
+"""Those that are compared."""
+
+FEWEST_POINTS = 20
+"""Fewer say nothing of where a box ends."""
+
+MOST_POINTS = 400
+"""Of a part, remembered from many frames: one alone rarely sees both ends."""
+
+NEWEST_POINTS = 20
+"""Of one frame, once there are enough."""
+
+STRAYS = 0.01
+"""Share of points, at either end of an axis, that may be strays."""
+
+REACH_ERROR = 0.02
+"""Standard deviation of how far a part's points reach, in units of its scale."""
+
+LEAST_LIKELY = -10.0
+"""Logarithm: points that reach too far or not far enough by much are hidden, or not the part's, and tell nothing."""
+
+
+@dataclass(frozen=True)
+class BoxTurns:
+    """How far each part that turns on a joint is turned about its axis, beyond what the networks find."""
+
+    axes: tuple[int | None, ...]
+    """Of every part: 0, 1 or 2 for x, y or z of its own frame; none for parts that are not asked about."""
+    log_prior: Float64[np.ndarray, "parts turns"]
+    """What the networks' errors and the given pose say of each of `TURNS_RAD`."""
+    points_part: tuple[Float64[np.ndarray, "remembered 3"], ...]
+    """Of every part, metres, in its frame as found: the oldest first."""
+
+    @staticmethod
+    def nothing_known(num_parts: int) -> "BoxTurns":
+        """Boxes have no say."""
+        no_points = (np.zeros((0, 3)),) * num_parts
+        return BoxTurns((None,) * num_parts, np.zeros((num_parts, len(TURNS_RAD))), no_points)
+
+    @staticmethod
+    def between(given: Pose, found: Pose, category: Category, error: FoundError = USUAL_ERROR) -> "BoxTurns":
+        """From a given pose and where the networks find the object at the same time, before any box has a say.
+
+        An error of the given pose may be much larger than usual (Cauchy), one of the networks may not.
+        """
+        axes = _joint_axes(category)
+        found_error = np.radians(np.broadcast_to(error.rotation_deg, (category.num_parts, 3)))
+        given_error = np.radians(given_rotation_error_deg(category)) / np.sqrt(3)
+        turn = rotation_vector(np.swapaxes(found.rotation, -1, -2) @ given.rotation)
+        log_prior = np.zeros((category.num_parts, len(TURNS_RAD)))
+        for part, axis in enumerate(axes):
+            if axis is not None:
+                usual = max(found_error[part, axis], SMALLEST_ERROR_RAD)
+                log_prior[part] = -np.square(TURNS_RAD / usual) / 2
+                log_prior[part] -= np.log1p(np.square((TURNS_RAD - turn[part, axis]) / given_error) / 2)
+        return BoxTurns(axes, log_prior, (np.zeros((0, 3)),) * category.num_parts)
+
+    def updated(self, found: Pose, evidence: Evidence) -> "BoxTurns":
+        """After one more frame, which found the parts there."""
+        remembered = [
+            points if axis is None else _remember(points, (part.explained - centre) @ rotation)
+            for axis, points, part, centre, rotation in zip(
+                self.axes, self.points_part, evidence.parts, found.translation, found.rotation, strict=True
+            )
+        ]
+        return replace(self, points_part=tuple(remembered))
+
+    def refine(self, memory: PoseMemory, size: Float64[np.ndarray, "parts 3"]) -> PoseMemory:
+        """What is remembered, with the turns about joints' axes that also fill boxes of that size."""
+        turn_part = np.array(memory.turn_part)
+        for part, (axis, points) in enumerate(zip(self.axes, self.points_part, strict=True)):
+            if axis is not None and len(points) >= FEWEST_POINTS:
+                likely = self.log_prior[part] + _log_likelihood(points, size[part], axis)
+                weights = np.exp(likely - likely.max())
+                turn_part[part, axis] = weights @ TURNS_RAD / weights.sum()
+        return replace(memory, turn_part=turn_part)
+
+
+SMALLEST_ERROR_RAD = np.radians(0.1)
+
+def _joint_axes(category: Category) -> tuple[int | None, ...]:
+    """Which of its own axes every part turns about, on whichever side of a joint it is."""
+    axes: list[int | None] = [None] * category.num_parts
+    for joint in category.joints:
+        if joint.kind == "revolute":
+            axes[joint.child] = axes[joint.parent] = int(np.argmax(np.abs(joint.axis)))
+    return tuple(axes)
+
+
+def _remember(
+    remembered: Float[np.ndarray, "remembered 3"], seen: Float[np.ndarray, "seen 3"]
+) -> Float64[np.ndarray, "kept 3"]:
+    """Points of many frames: as many as there is room for, and a few of each frame from then on."""
+    room = max(MOST_POINTS - len(remembered), NEWEST_POINTS)
+    chosen = np.linspace(0, len(seen) - 1, min(room, len(seen))).astype(int)
+    return np.concatenate([remembered, seen[chosen]])[-MOST_POINTS:]
+
+
+def _log_likelihood(
+    points_part: Float[np.ndarray, "points 3"], size: Float[np.ndarray, "3"], axis: int
+) -> Float64[np.ndarray, " turns"]:
+    """Of every turn of the frame about `axis`, from how far the points reach along the two others."""
+    first, second = (axis + 1) % 3, (axis + 2) % 3
+    cos, sin = np.cos(TURNS_RAD)[:, None], np.sin(TURNS_RAD)[:, None]
+    a, b = points_part[:, first], points_part[:, second]
+    error = REACH_ERROR * np.linalg.norm(size)
+    reaches = _reach(cos * a + sin * b), _reach(cos * b - sin * a)
+    return np.asarray(sum(_log_reach((reach - size[side]) / error) for reach, side in zip(reaches, (first, second))))
+
+
+def _reach(coordinate: Float[np.ndarray, "turns points"]) -> Float64[np.ndarray, " turns"]:
+    """From the first to the last that is no stray."""
+    last = coordinate.shape[1] - 1
+    strays = int(STRAYS * coordinate.shape[1])
+    ordered = np.partition(coordinate, (strays, last - strays), axis=1)
+    return np.asarray(ordered[:, last - strays] - ordered[:, strays])
+
+
+def _log_reach(deviations: Float[np.ndarray, " turns"]) -> Float64[np.ndarray, " turns"]:
+    return np.asarray(np.maximum(-np.square(deviations) / 2, LEAST_LIKELY))
