@@ -15,8 +15,8 @@ from captra.evidence import Evidence
 from captra.geometry import Pose, rotation_vector
 from captra.pose_memory import USUAL_ERROR, FoundError, PoseMemory, given_rotation_error_deg
 
-TURNS_RAD: Float64[np.ndarray, " turns"] = np.radians(np.arange(-15.0, 16.0))
-"""Those that are compared."""
+TURNS: Float64[np.ndarray, " turns"] = np.linspace(-4, 4, 33)
+"""Those that are compared, in standard deviations of the networks' error."""
 
 FEWEST_POINTS = 20
 """Fewer say nothing of where a box ends."""
@@ -30,8 +30,8 @@ NEWEST_POINTS = 20
 STRAYS = 0.01
 """Share of points, at either end of an axis, that may be strays."""
 
-REACH_ERROR = 0.02
-"""Standard deviation of how far a part's points reach, in units of its scale."""
+TOO_FAR_ERROR, NOT_FAR_ENOUGH_ERROR = 0.01, 0.02
+"""Standard deviations of how far a part's points reach, in units of its scale: sides that are not seen are missing."""
 
 LEAST_LIKELY = -10.0
 """Logarithm: points that reach too far or not far enough by much are hidden, or not the part's, and tell nothing."""
@@ -43,16 +43,18 @@ class BoxTurns:
 
     axes: tuple[int | None, ...]
     """Of every part: 0, 1 or 2 for x, y or z of its own frame; none for parts that are not asked about."""
+    turns_rad: Float64[np.ndarray, "parts turns"]
+    """Those that are compared."""
     log_prior: Float64[np.ndarray, "parts turns"]
-    """What the networks' errors and the given pose say of each of `TURNS_RAD`."""
+    """What the networks' errors and the given pose say of each."""
     points_part: tuple[Float64[np.ndarray, "remembered 3"], ...]
     """Of every part, metres, in its frame as found: the oldest first."""
 
     @staticmethod
     def nothing_known(num_parts: int) -> "BoxTurns":
         """Boxes have no say."""
-        no_points = (np.zeros((0, 3)),) * num_parts
-        return BoxTurns((None,) * num_parts, np.zeros((num_parts, len(TURNS_RAD))), no_points)
+        nothing = np.zeros((num_parts, len(TURNS)))
+        return BoxTurns((None,) * num_parts, nothing, nothing, (np.zeros((0, 3)),) * num_parts)
 
     @staticmethod
     def between(given: Pose, found: Pose, category: Category, error: FoundError = USUAL_ERROR) -> "BoxTurns":
@@ -60,17 +62,17 @@ class BoxTurns:
 
         An error of the given pose may be much larger than usual (Cauchy), one of the networks may not.
         """
-        axes = _joint_axes(category)
-        found_error = np.radians(np.broadcast_to(error.rotation_deg, (category.num_parts, 3)))
-        given_error = np.radians(given_rotation_error_deg(category)) / np.sqrt(3)
-        turn = rotation_vector(np.swapaxes(found.rotation, -1, -2) @ given.rotation)
-        log_prior = np.zeros((category.num_parts, len(TURNS_RAD)))
+        known = BoxTurns.nothing_known(category.num_parts)
+        axes, turns_rad, log_prior = _joint_axes(category), known.turns_rad.copy(), known.log_prior.copy()
+        found_error_rad = np.radians(np.broadcast_to(error.rotation_deg, (category.num_parts, 3)))
+        given_error_rad = np.radians(given_rotation_error_deg(category)) / np.sqrt(3)
+        difference = rotation_vector(np.swapaxes(found.rotation, -1, -2) @ given.rotation)
         for part, axis in enumerate(axes):
             if axis is not None:
-                usual = max(found_error[part, axis], SMALLEST_ERROR_RAD)
-                log_prior[part] = -np.square(TURNS_RAD / usual) / 2
-                log_prior[part] -= np.log1p(np.square((TURNS_RAD - turn[part, axis]) / given_error) / 2)
-        return BoxTurns(axes, log_prior, (np.zeros((0, 3)),) * category.num_parts)
+                turns_rad[part] = found_error_rad[part, axis] * TURNS
+                beside_given = (turns_rad[part] - difference[part, axis]) / given_error_rad
+                log_prior[part] = -np.square(TURNS) / 2 - np.log1p(np.square(beside_given) / 2)
+        return replace(known, axes=axes, turns_rad=turns_rad, log_prior=log_prior)
 
     def updated(self, found: Pose, evidence: Evidence) -> "BoxTurns":
         """After one more frame, which found the parts there."""
@@ -87,13 +89,12 @@ class BoxTurns:
         turn_part = np.array(memory.turn_part)
         for part, (axis, points) in enumerate(zip(self.axes, self.points_part, strict=True)):
             if axis is not None and len(points) >= FEWEST_POINTS:
-                likely = self.log_prior[part] + _log_likelihood(points, size[part], axis)
+                turns_rad = self.turns_rad[part]
+                likely = self.log_prior[part] + _log_likelihood(turns_rad, points, size[part], axis)
                 weights = np.exp(likely - likely.max())
-                turn_part[part, axis] = weights @ TURNS_RAD / weights.sum()
+                turn_part[part, axis] = weights @ turns_rad / weights.sum()
         return replace(memory, turn_part=turn_part)
 
-
-SMALLEST_ERROR_RAD = np.radians(0.1)
 
 def _joint_axes(category: Category) -> tuple[int | None, ...]:
     """Which of its own axes every part turns about, on whichever side of a joint it is."""
@@ -114,24 +115,29 @@ def _remember(
 
 
 def _log_likelihood(
-    points_part: Float[np.ndarray, "points 3"], size: Float[np.ndarray, "3"], axis: int
+    turns_rad: Float64[np.ndarray, " turns"],
+    points_part: Float[np.ndarray, "points 3"],
+    size: Float[np.ndarray, "3"],
+    axis: int,
 ) -> Float64[np.ndarray, " turns"]:
-    """Of every turn of the frame about `axis`, from how far the points reach along the two others."""
+    """Of turns of the frame about `axis`, from how far the points reach along the two others."""
     first, second = (axis + 1) % 3, (axis + 2) % 3
-    cos, sin = np.cos(TURNS_RAD)[:, None], np.sin(TURNS_RAD)[:, None]
-    a, b = points_part[:, first], points_part[:, second]
-    error = REACH_ERROR * np.linalg.norm(size)
-    reaches = _reach(cos * a + sin * b), _reach(cos * b - sin * a)
-    return np.asarray(sum(_log_reach((reach - size[side]) / error) for reach, side in zip(reaches, (first, second))))
+    cos, sin = np.cos(turns_rad)[:, None], np.sin(turns_rad)[:, None]
+    x, y = points_part[:, first], points_part[:, second]
+    along_first, along_second = _reach(cos * x + sin * y), _reach(cos * y - sin * x)
+    scale = float(np.linalg.norm(size))
+    return _log_reach((along_first - size[first]) / scale) + _log_reach((along_second - size[second]) / scale)
 
 
-def _reach(coordinate: Float[np.ndarray, "turns points"]) -> Float64[np.ndarray, " turns"]:
-    """From the first to the last that is no stray."""
-    last = coordinate.shape[1] - 1
-    strays = int(STRAYS * coordinate.shape[1])
-    ordered = np.partition(coordinate, (strays, last - strays), axis=1)
+def _reach(coordinates: Float[np.ndarray, "turns points"]) -> Float64[np.ndarray, " turns"]:
+    """From the first to the last point that is no stray."""
+    last = coordinates.shape[1] - 1
+    strays = int(STRAYS * coordinates.shape[1])
+    ordered = np.partition(coordinates, (strays, last - strays), axis=1)
     return np.asarray(ordered[:, last - strays] - ordered[:, strays])
 
 
-def _log_reach(deviations: Float[np.ndarray, " turns"]) -> Float64[np.ndarray, " turns"]:
+def _log_reach(beyond: Float[np.ndarray, " turns"]) -> Float64[np.ndarray, " turns"]:
+    """From how far points reach beyond a box, in units of the scale; below zero if they stay inside."""
+    deviations = beyond / np.where(beyond > 0, TOO_FAR_ERROR, NOT_FAR_ENOUGH_ERROR)
     return np.asarray(np.maximum(-np.square(deviations) / 2, LEAST_LIKELY))

@@ -24,6 +24,7 @@ from captra.segmentation import NOTHING_KNOWN, Segmentation
 from captra.size_memory import GIVEN_ERROR, SizeMemory
 from captra.slides import NO_SLIDES, Slides
 from captra.solving import hold_gauge
+from captra.stacking import stacked
 
 LOOKS_AT_START = 2
 """What the first look leaves of a given pose's error is put down to the networks unless another follows."""
@@ -219,9 +220,10 @@ class Tracker:
         pose, self._size = self._sized(found)
         if self._credible and self._given:
             error = self._options.found_error or self._networks.found_error
-            self._memory = PoseMemory.between(self._pose, pose, self._category, error)
-            self._box_turns = BoxTurns.between(self._pose, pose, self._category, error)
-            self._slides = Slides.through(self._memory.apply(pose, found.evidence.fitted), self._category)
+            possible = stacked(pose, self._pose, self._category)
+            self._memory = PoseMemory.between(self._pose, possible, self._category, error)
+            self._box_turns = BoxTurns.between(self._pose, possible, self._category, error)
+            self._slides = Slides.through(self._memory.apply(possible, found.evidence.fitted), self._category)
         if self._credible:
             self._box_turns = self._box_turns.updated(pose, found.evidence)
             self._memory = self._box_turns.refine(self._memory, pose.size)
