@@ -14,8 +14,8 @@ from captra.categories import Category
 from captra.evidence import Evidence
 from captra.geometry import Pose
 from captra.joint_projection import JointProjection
+from captra.nearness import told_apart
 from captra.observations import Crop, Observation
-from captra.openings import in_openings
 from captra.pose_memory import FoundError
 from captra.rotation_fusion import RotationFusion
 from captra.sampling import InputSampling, Neighborhoods, Profile, part_neighborhoods
@@ -122,7 +122,7 @@ def look(
     neighborhoods = part_neighborhoods(points_canonical, networks.profile, networks.side_by_side)
     sampled = perf_counter()
     prediction = predict(networks, points_canonical, neighborhoods, segmentation.labels(crop.indices))
-    prediction = in_openings(prediction, crop.points, around, category)
+    prediction = told_apart(prediction, crop.points, around, category)
     inferred = perf_counter()
     allowed = projection or networks.joint_projection
     pose, evidence = solve(crop.points, prediction, around, category, networks.rotation_fusion, allowed)
