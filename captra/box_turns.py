@@ -1,10 +1,9 @@
 """A part fills its box: how far it is turned in it is told by how far its points reach.
 
-How much a temple splays at rest, or how far a blade leans to its side, is a convention that no point shows, and networks
-guess it. The given box knows: it is wide where the part lies across it, and narrow where it lies along it.
+How much a temple splays at rest, or how far a blade leans to its side, is a convention that no point shows: networks
+guess it. The given box knows, since it is wide where the part lies across it, and narrow where it lies along it.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -126,7 +125,8 @@ def _log_likelihood(
     x, y = points_part[:, first], points_part[:, second]
     along_first, along_second = _reach(cos * x + sin * y), _reach(cos * y - sin * x)
     scale = float(np.linalg.norm(size))
-    return _log_reach((along_first - size[first]) / scale) + _log_reach((along_second - size[second]) / scale)
+    beyond_first, beyond_second = (along_first - size[first]) / scale, (along_second - size[second]) / scale
+    return np.asarray(_log_reach(beyond_first) + _log_reach(beyond_second))
 
 
 def _reach(coordinates: Float[np.ndarray, "turns points"]) -> Float64[np.ndarray, " turns"]:

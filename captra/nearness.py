@@ -10,7 +10,7 @@ from captra.geometry import Pose
 from captra.solving import Prediction
 
 EDGE = 0.012
-"""How far beyond a box the odds are against its part, e to one, in units of the root's scale: poses are a little off."""
+"""How far beyond a box the odds are e to one against its part, in units of the root's scale: poses are a little off."""
 
 
 def told_apart(

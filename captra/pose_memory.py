@@ -110,6 +110,5 @@ def _share(
     """
     found_variance, usual_variance = np.square(found_error), given_error**2 / 3
     expected = (found_variance + usual_variance).sum(axis=1, keepdims=True)
-    surprise = np.square(difference).sum(axis=1, keepdims=True) / (4 * expected)
-    given_variance = usual_variance * (1 + surprise * usual_variance / (usual_variance + found_variance))
+    given_variance = usual_variance * (1 + np.square(difference).sum(axis=1, keepdims=True) / (4 * expected))
     return np.asarray(found_variance / (found_variance + given_variance))

@@ -11,6 +11,7 @@ from jaxtyping import Float64
 
 from captra.categories import Category
 from captra.geometry import Pose
+from captra.pose_memory import USUAL_ERROR, FoundError
 
 ACROSS, UP = 0, 1
 """Axes of the parent: its width and its height."""
@@ -18,26 +19,34 @@ ACROSS, UP = 0, 1
 SWEEPS = 20
 """How often neighbours push each other apart, since who makes way may be pushed against the next."""
 
+MOST_ERRORS = 4
+"""How many standard deviations the networks may err by."""
+
 SMALLEST_DOUBT_M = 0.01
 """Of where a part was found: no two agree better than that with a given pose."""
 
 
-def stacked(found: Pose, given: Pose, category: Category) -> Pose:
+def stacked(found: Pose, given: Pose, category: Category, error: FoundError = USUAL_ERROR) -> Pose:
     """What was found, with parts on slides moved, as little as need be, into their parent and out of each other.
 
     Parts come in the order of their joints, from the lowest; of two that overlap the one found further from where it
-    was given makes way. Those of other joints stay where they are.
+    was given makes way. What the given pose already has outside, or overlapping, may stay so, and nothing moves
+    further than the networks may err.
     """
+    most = MOST_ERRORS * np.broadcast_to(error.centre, (category.num_parts, 3)) * found.scale[:, None]
     translation = np.array(found.translation)
     for parent in {joint.parent for joint in category.joints if joint.kind == "prismatic"}:
         children = [joint.child for joint in category.joints if joint.parent == parent and joint.kind == "prismatic"]
         offset, expected = _offsets(found, parent, children), _offsets(given, parent, children)
-        room = np.maximum(found.size[parent] - found.size[children], 0.0) / 2
+        room = np.maximum((found.size[parent] - found.size[children]) / 2, np.abs(expected))
+        height = found.size[children, UP]
+        distance = np.minimum((height[1:] + height[:-1]) / 2, np.diff(expected[:, UP]))
         doubt = np.square(offset[:, UP] - expected[:, UP]) + SMALLEST_DOUBT_M**2
         apart = np.array(offset)
         apart[:, ACROSS] = np.clip(offset[:, ACROSS], -room[:, ACROSS], room[:, ACROSS])
-        apart[:, UP] = _pushed_apart(offset[:, UP], found.size[children, UP], room[:, UP], doubt)
-        translation[children] += (apart - offset) @ found.rotation[parent].T
+        apart[:, UP] = _pushed_apart(offset[:, UP], distance, room[:, UP], doubt)
+        shift = np.clip(apart - offset, -most[children], most[children])
+        translation[children] += shift @ found.rotation[parent].T
     return replace(found, translation=translation)
 
 
@@ -48,16 +57,16 @@ def _offsets(pose: Pose, parent: int, children: list[int]) -> Float64[np.ndarray
 
 def _pushed_apart(
     middle: Float64[np.ndarray, " stack"],
-    height: Float64[np.ndarray, " stack"],
+    distance: Float64[np.ndarray, " gaps"],
     room: Float64[np.ndarray, " stack"],
     doubt: Float64[np.ndarray, " stack"],
 ) -> Float64[np.ndarray, " stack"]:
-    """Middles of intervals that overlap less and less, each at most `room` from zero; the most doubted move most."""
+    """Middles pushed at least `distance` from the next, and each at most `room` from zero; the doubted move most."""
     apart = np.array(middle)
     for _ in range(SWEEPS):
         apart = np.clip(apart, -room, room)
-        for lower in range(len(apart) - 1):
+        for lower, needed in enumerate(distance):
             pair = slice(lower, lower + 2)
-            overlap = height[pair].sum() / 2 - (apart[lower + 1] - apart[lower])
-            apart[pair] += max(overlap, 0.0) * doubt[pair] / doubt[pair].sum() * np.array([-1, 1])
-    return np.clip(apart, -room, room)
+            missing = max(needed - (apart[lower + 1] - apart[lower]), 0.0)
+            apart[pair] += missing * doubt[pair] / doubt[pair].sum() * np.array([-1, 1])
+    return np.asarray(np.clip(apart, -room, room))

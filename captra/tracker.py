@@ -220,7 +220,7 @@ class Tracker:
         pose, self._size = self._sized(found)
         if self._credible and self._given:
             error = self._options.found_error or self._networks.found_error
-            possible = stacked(pose, self._pose, self._category)
+            possible = stacked(pose, self._pose, self._category, error)
             self._memory = PoseMemory.between(self._pose, possible, self._category, error)
             self._box_turns = BoxTurns.between(self._pose, possible, self._category, error)
             self._slides = Slides.through(self._memory.apply(possible, found.evidence.fitted), self._category)
