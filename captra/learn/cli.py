@@ -1,6 +1,6 @@
 """`captra train`: from rendered views to checkpoints."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Annotated
 
@@ -81,6 +81,9 @@ def train(
 
     if (category is None) != everything:
         raise typer.BadParameter("say either --category NAME or --all")
+    of_one = {"--only": only, "--shared-with": shared_with, "--start-from": start_from, "--learning-rate": learning_rate}
+    if everything:
+        check_untold(of_one)
     shown = [] if category is None else [category, *(shared_with or [])]
     for name in shown:
         check_views(get_category(name).name, folder)
@@ -126,6 +129,17 @@ def train(
             console.print("stopped; run the same command to go on")
     plot_curves(state / "log.jsonl", state / "curves.png")
     console.print(f"checkpoints and curves are in {state}; next: captra export --category {category} …")
+
+
+def check_untold(options: Mapping[str, object]) -> None:
+    """The campaign of all categories plans by itself which networks it trains, and from what.
+
+    Raises:
+        typer.BadParameter: it was told, by an option that has a value.
+    """
+    told = [name for name, value in options.items() if value]
+    if told:
+        raise typer.BadParameter(f"--all decides that by itself: leave out {' and '.join(told)}, or say --category NAME")
 
 
 def views_of(category: str, folder: Path) -> Path:

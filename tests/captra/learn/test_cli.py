@@ -47,6 +47,18 @@ def test_one_network_alone_has_to_start_from_something(tmp_path: Path) -> None:
     assert "--start-from models/NAME" in output
 
 
+@pytest.mark.parametrize(
+    "option",
+    [("--only", "rotation"), ("--shared-with", "can"), ("--start-from", "models/mug"), ("--learning-rate", "1e-4")],
+    ids=lambda option: option[0],
+)
+def test_a_campaign_is_not_told_what_it_plans_by_itself(option: tuple[str, str], tmp_path: Path) -> None:
+    status, output = run("--all", "--folder", tmp_path / "campaign", *option)
+    assert status == 2
+    assert option[0] in output
+    assert not (tmp_path / "campaign").exists()
+
+
 def test_a_finished_run_of_a_shared_network_leaves_its_checkpoints(tmp_path: Path) -> None:
     fill(tmp_path, "bottle")
     fill(tmp_path, "can")
