@@ -81,9 +81,15 @@ def train(
 
     if (category is None) != everything:
         raise typer.BadParameter("say either --category NAME or --all")
-    of_one = {"--only": only, "--shared-with": shared_with, "--start-from": start_from, "--learning-rate": learning_rate}
     if everything:
-        check_untold(of_one)
+        check_untold(
+            {
+                "--only": only,
+                "--shared-with": shared_with,
+                "--start-from": start_from,
+                "--learning-rate": learning_rate,
+            }
+        )
     shown = [] if category is None else [category, *(shared_with or [])]
     for name in shown:
         check_views(get_category(name).name, folder)
@@ -139,7 +145,9 @@ def check_untold(options: Mapping[str, object]) -> None:
     """
     told = [name for name, value in options.items() if value]
     if told:
-        raise typer.BadParameter(f"--all decides that by itself: leave out {' and '.join(told)}, or say --category NAME")
+        raise typer.BadParameter(
+            f"--all decides that by itself: leave out {' and '.join(told)}, or say --category NAME"
+        )
 
 
 def views_of(category: str, folder: Path) -> Path:
