@@ -12,6 +12,9 @@ from captra.solving import Prediction
 EDGE = 0.012
 """How far beyond a box the odds are e to one against its part, in units of the root's scale: poses are a little off."""
 
+MOST_DOUBT = 4.0
+"""Logarithm of the odds against a part, at most: a pose that is wrong must not keep the networks from saying so."""
+
 
 def told_apart(
     prediction: Prediction, points: Float32[np.ndarray, "points 3"], around: Pose, category: Category
@@ -25,7 +28,8 @@ def told_apart(
     if not rivals:
         return prediction
     beyond = np.stack([_beyond(points, around, part, category) for part in rivals])
-    weights = np.exp((beyond.min(axis=0) - beyond) / (EDGE * around.scale[category.root]))
+    further = (beyond - beyond.min(axis=0)) / (EDGE * around.scale[category.root])
+    weights = np.exp(-np.minimum(further, MOST_DOUBT))
     segmentation = prediction.segmentation.copy()
     of_any = segmentation[rivals].sum(axis=0)
     weighed = segmentation[rivals] * weights
