@@ -14,8 +14,8 @@ from captra.categories import Category
 from captra.evidence import Evidence
 from captra.geometry import Pose
 from captra.joint_projection import JointProjection
-from captra.nearness import told_apart
 from captra.observations import Crop, Observation
+from captra.openings import told_apart
 from captra.pose_memory import FoundError
 from captra.rotation_fusion import RotationFusion
 from captra.sampling import InputSampling, Neighborhoods, Profile, part_neighborhoods

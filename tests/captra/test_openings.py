@@ -5,9 +5,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from captra.categories import get_category
+from captra.categories import Category, get_category
 from captra.geometry import Pose
-from captra.nearness import told_apart
+from captra.openings import told_apart
 from captra.pose_memory import NO_ERROR
 from captra.sampling import Neighborhoods
 from captra.solving import Prediction
@@ -57,15 +57,6 @@ def test_near_an_edge_the_networks_decide() -> None:
         assert told_apart(said(*probabilities), edge, pose, DRAWERS).labels.tolist() == [label]
 
 
-def test_a_temple_is_not_where_the_other_one_is() -> None:
-    apart = np.array([[-0.07, 0, -0.07], [0.07, 0, -0.07], [0, 0, 0]])
-    pose = Pose.from_size(
-        np.tile(np.eye(3), (3, 1, 1)), apart, np.array([[0.01, 0.03, 0.14]] * 2 + [[0.14, 0.04, 0.02]])
-    )
-    points = np.concatenate([at(pose, 0, (0, 0, -0.05)), at(pose, 1, (0, 0, -0.05))])
-    assert told_apart(said(0.2, 0.75, 0.05, count=2), points, pose, GLASSES).labels.tolist() == [0, 1]
-
-
 def test_far_from_every_part_the_networks_decide() -> None:
     pose = cabinet(3)
     lost = replace(pose, translation=pose.translation + 50)
@@ -74,9 +65,10 @@ def test_far_from_every_part_the_networks_decide() -> None:
     np.testing.assert_allclose(told.segmentation.sum(axis=0), 1, rtol=1e-5)
 
 
-def test_an_object_of_one_part_is_left_alone() -> None:
-    prediction = said(0.4, 0.6)
-    assert told_apart(prediction, np.zeros((1, 3), np.float32), cabinet(1).part(0), MUG) is prediction
+@pytest.mark.parametrize("category", [GLASSES, MUG], ids=lambda category: category.name)
+def test_parts_that_are_on_no_slides_are_left_to_the_networks(category: Category) -> None:
+    prediction = said(*[1 / category.num_classes] * category.num_classes)
+    assert told_apart(prediction, np.zeros((1, 3), np.float32), cabinet(1), category) is prediction
 
 
 class Mistaken(OracleNetworks):
