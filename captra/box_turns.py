@@ -10,15 +10,13 @@ import numpy as np
 from jaxtyping import Float, Float64
 
 from captra.categories import Category
+from captra.containment import FEWEST_POINTS, reach
 from captra.evidence import Evidence
 from captra.geometry import Pose, rotation_vector
-from captra.pose_memory import USUAL_ERROR, FoundError, PoseMemory, given_rotation_error_deg
+from captra.pose_memory import USUAL_ERROR, FoundError, PoseMemory, given_rotation_error_rad
 
 TURNS: Float64[np.ndarray, " turns"] = np.linspace(-4, 4, 33)
 """Those that are compared, in standard deviations of the networks' error."""
-
-FEWEST_POINTS = 20
-"""Fewer say nothing of where a box ends."""
 
 MOST_POINTS = 400
 """Of a part, remembered from many frames: one alone rarely sees both ends."""
@@ -64,7 +62,7 @@ class BoxTurns:
         known = BoxTurns.nothing_known(category.num_parts)
         axes, turns_rad, log_prior = _joint_axes(category), known.turns_rad.copy(), known.log_prior.copy()
         found_error_rad = np.radians(np.broadcast_to(error.rotation_deg, (category.num_parts, 3)))
-        given_error_rad = np.radians(given_rotation_error_deg(category)) / np.sqrt(3)
+        given_error_rad = given_rotation_error_rad(category) / np.sqrt(3)
         difference = rotation_vector(np.swapaxes(found.rotation, -1, -2) @ given.rotation)
         for part, axis in enumerate(axes):
             if axis is not None:
@@ -123,18 +121,12 @@ def _log_likelihood(
     first, second = (axis + 1) % 3, (axis + 2) % 3
     cos, sin = np.cos(turns_rad)[:, None], np.sin(turns_rad)[:, None]
     x, y = points_part[:, first], points_part[:, second]
-    along_first, along_second = _reach(cos * x + sin * y), _reach(cos * y - sin * x)
     scale = float(np.linalg.norm(size))
-    beyond_first, beyond_second = (along_first - size[first]) / scale, (along_second - size[second]) / scale
-    return np.asarray(_log_reach(beyond_first) + _log_reach(beyond_second))
-
-
-def _reach(coordinates: Float[np.ndarray, "turns points"]) -> Float64[np.ndarray, " turns"]:
-    """From the first to the last point that is no stray."""
-    last = coordinates.shape[1] - 1
-    strays = int(STRAYS * coordinates.shape[1])
-    ordered = np.partition(coordinates, (strays, last - strays), axis=1)
-    return np.asarray(ordered[:, last - strays] - ordered[:, strays])
+    likely = np.zeros(len(turns_rad))
+    for side, coordinates in ((first, cos * x + sin * y), (second, cos * y - sin * x)):
+        start, end = reach(coordinates, STRAYS)
+        likely += _log_reach((end - start - size[side]) / scale)
+    return likely
 
 
 def _log_reach(beyond: Float[np.ndarray, " turns"]) -> Float64[np.ndarray, " turns"]:

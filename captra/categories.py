@@ -72,6 +72,11 @@ class Category:
         return len(self.parts)
 
     @property
+    def slides(self) -> tuple[Joint, ...]:
+        """The prismatic joints."""
+        return tuple(joint for joint in self.joints if joint.kind == "prismatic")
+
+    @property
     def num_classes(self) -> int:
         """Classes of the segmentation; with a background it is the last one."""
         return self.num_parts + int(self.background)

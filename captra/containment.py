@@ -31,10 +31,17 @@ def contained(pose: Pose, evidence: Evidence) -> Pose:
 
 def _shift(points_part: Float[np.ndarray, "points 3"], size: Float64[np.ndarray, "3"]) -> Float64[np.ndarray, "3"]:
     """How far to move a centred box along its own axes; points that reach further than it end up around its middle."""
-    count = len(points_part)
-    if count < FEWEST_POINTS:
+    if len(points_part) < FEWEST_POINTS:
         return np.zeros(3)
-    strays = int(STRAYS * count)
-    ordered = np.partition(points_part, (strays, count - 1 - strays), axis=0)
-    ends = ordered[count - 1 - strays] - size / 2, ordered[strays] + size / 2
+    first, last = reach(points_part.T, STRAYS)
+    ends = last - size / 2, first + size / 2
     return np.asarray(np.clip(0.0, np.minimum(*ends), np.maximum(*ends)))
+
+
+def reach(
+    coordinates: Float[np.ndarray, "rows points"], strays: float
+) -> tuple[Float[np.ndarray, " rows"], Float[np.ndarray, " rows"]]:
+    """The first and the last coordinate of every row, where a share `strays` of them at either end does not count."""
+    left_out, last = int(strays * coordinates.shape[1]), coordinates.shape[1] - 1
+    ordered = np.partition(coordinates, (left_out, last - left_out), axis=1)
+    return ordered[:, left_out], ordered[:, last - left_out]

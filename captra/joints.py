@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
+from jaxtyping import Float64
 
 from captra.categories import Category, Joint, JointKind
 from captra.fitting import angle_about_axis
@@ -26,11 +27,16 @@ def joint_value(joint: Joint, pose: Pose) -> float:
 
     A prismatic value contains the constant offset between the two box centres at rest, which a pose alone cannot tell.
     """
-    parent = pose.rotation[joint.parent]
     axis = np.array(joint.axis)
     if joint.kind == "revolute":
-        return angle_about_axis(parent.T @ pose.rotation[joint.child], axis)
-    return float(axis @ parent.T @ (pose.translation[joint.child] - pose.translation[joint.parent]))
+        return angle_about_axis(pose.rotation[joint.parent].T @ pose.rotation[joint.child], axis)
+    return float(axis @ offset_from_parent(joint, pose))
+
+
+def offset_from_parent(joint: Joint, pose: Pose) -> Float64[np.ndarray, "3"]:
+    """From the parent's centre to the child's, metres, in the parent's frame."""
+    offset = pose.translation[joint.child] - pose.translation[joint.parent]
+    return np.asarray(offset @ pose.rotation[joint.parent])
 
 
 def joint_values(pose: Pose, category: Category) -> tuple[JointValue, ...]:

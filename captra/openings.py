@@ -24,11 +24,10 @@ def told_apart(
 
     Whether a point belongs to any of them is left to the networks; `around` is the pose that was looked around.
     """
-    slides = [joint for joint in category.joints if joint.kind == "prismatic"]
-    if not slides:
+    if not category.slides:
         return prediction
-    parts = [joint.child for joint in slides]
-    beyond = np.stack([_beyond(points, around, slide) for slide in slides])
+    parts = [slide.child for slide in category.slides]
+    beyond = np.stack([_beyond(points, around, slide) for slide in category.slides])
     further = (beyond - beyond.min(axis=0)) / (EDGE * around.scale[category.root])
     weights = np.exp(-np.minimum(further, MOST_DOUBT))
     segmentation = prediction.segmentation.copy()

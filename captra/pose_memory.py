@@ -79,7 +79,7 @@ class PoseMemory:
         usual = category.perturbation
         centre_error, rotation_error = np.array(error.centre) * given.scale[:, None], np.radians(error.rotation_deg)
         offset_share = _share(offset, centre_error, CAUTION * usual.translation_m)
-        turn_share = _share(turn, rotation_error, np.radians(given_rotation_error_deg(category)))
+        turn_share = _share(turn, rotation_error, given_rotation_error_rad(category))
         return PoseMemory(offset_share * offset, turn_share * turn)
 
     def apply(self, found: Pose, fitted: Bool[np.ndarray, " parts"]) -> Pose:
@@ -93,9 +93,9 @@ class PoseMemory:
         )
 
 
-def given_rotation_error_deg(category: Category) -> float:
+def given_rotation_error_rad(category: Category) -> float:
     """Standard deviation of the angle by which a given pose is taken to be off."""
-    return CAUTION * category.perturbation.rotation_deg
+    return float(CAUTION * np.radians(category.perturbation.rotation_deg))
 
 
 def _share(

@@ -12,6 +12,7 @@ from jaxtyping import Float64
 
 from captra.categories import Category, Joint
 from captra.geometry import Pose
+from captra.joints import offset_from_parent
 
 
 @dataclass(frozen=True)
@@ -25,23 +26,16 @@ class Slides:
     @staticmethod
     def through(pose: Pose, category: Category) -> "Slides":
         """Slides that run through where the parts are."""
-        sliding = (joint for joint in category.joints if joint.kind == "prismatic")
-        return Slides({joint: _offset(joint, pose) for joint in sliding})
+        return Slides({joint: offset_from_parent(joint, pose) for joint in category.slides})
 
     def apply(self, pose: Pose) -> Pose:
         """The pose with every child moved straight onto its slide; parents stay."""
         translation = np.array(pose.translation)
         for joint, offset in self.offset_parent.items():
             axis = np.array(joint.axis)
-            astray = offset - _offset(joint, pose)
+            astray = offset - offset_from_parent(joint, pose)
             translation[joint.child] += pose.rotation[joint.parent] @ (astray - axis * (axis @ astray))
         return replace(pose, translation=translation)
-
-
-def _offset(joint: Joint, pose: Pose) -> Float64[np.ndarray, "3"]:
-    """From the parent's centre to the child's, in the parent's frame."""
-    offset = pose.translation[joint.child] - pose.translation[joint.parent]
-    return np.asarray(offset @ pose.rotation[joint.parent])
 
 
 NO_SLIDES = Slides()

@@ -11,6 +11,7 @@ from jaxtyping import Float64
 
 from captra.categories import Category
 from captra.geometry import Pose
+from captra.joints import offset_from_parent
 from captra.pose_memory import USUAL_ERROR, FoundError
 
 ACROSS, UP = 0, 1
@@ -35,9 +36,10 @@ def stacked(found: Pose, given: Pose, category: Category, error: FoundError = US
     """
     most = MOST_ERRORS * np.broadcast_to(error.centre, (category.num_parts, 3)) * found.scale[:, None]
     translation = np.array(found.translation)
-    for parent in {joint.parent for joint in category.joints if joint.kind == "prismatic"}:
-        children = [joint.child for joint in category.joints if joint.parent == parent and joint.kind == "prismatic"]
-        offset, expected = _offsets(found, parent, children), _offsets(given, parent, children)
+    for parent in {slide.parent for slide in category.slides}:
+        slides = [slide for slide in category.slides if slide.parent == parent]
+        children = [slide.child for slide in slides]
+        offset, expected = (np.stack([offset_from_parent(one, pose) for one in slides]) for pose in (found, given))
         room = np.maximum((found.size[parent] - found.size[children]) / 2, np.abs(expected))
         height = found.size[children, UP]
         distance = np.minimum((height[1:] + height[:-1]) / 2, np.diff(expected[:, UP]))
@@ -48,11 +50,6 @@ def stacked(found: Pose, given: Pose, category: Category, error: FoundError = US
         shift = np.clip(apart - offset, -most[children], most[children])
         translation[children] += shift @ found.rotation[parent].T
     return replace(found, translation=translation)
-
-
-def _offsets(pose: Pose, parent: int, children: list[int]) -> Float64[np.ndarray, "children 3"]:
-    """From the parent's centre to those of its children, in its own frame."""
-    return np.asarray((pose.translation[children] - pose.translation[parent]) @ pose.rotation[parent])
 
 
 def _pushed_apart(

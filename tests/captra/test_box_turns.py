@@ -37,8 +37,8 @@ def pair(seed: int) -> Pose:
     return Pose.from_size(rotation, rng.uniform(-1, 1, (3, 3)), np.tile(SIZE, (3, 1)))
 
 
-def turned(pose: Pose, degrees: float, axis: np.ndarray = Y) -> Pose:
-    return replace(pose, rotation=pose.rotation @ axis_angle(axis, np.radians(degrees)))
+def turned(pose: Pose, degrees: float) -> Pose:
+    return replace(pose, rotation=pose.rotation @ axis_angle(Y, np.radians(degrees)))
 
 
 def seen(true: Pose, points_part: np.ndarray) -> Evidence:

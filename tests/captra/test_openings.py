@@ -19,11 +19,11 @@ DRAWERS, GLASSES, MUG = (get_category(name) for name in ("drawers", "glasses", "
 LOWEST, MIDDLE, TOP, BASE = range(4)
 
 
-def said(*probabilities: float, count: int = 1) -> Prediction:
-    """The same of every point."""
-    segmentation = np.tile(np.array(probabilities, np.float32)[:, None], count)
-    nothing = np.zeros((len(probabilities), count, 3), np.float32)
-    return Prediction(segmentation, nothing, segmentation.argmax(axis=0), np.zeros((len(probabilities), count, 3, 3)))
+def said(*probabilities: float) -> Prediction:
+    """Of a single point."""
+    segmentation = np.array(probabilities, np.float32)[:, None]
+    nothing = np.zeros((len(probabilities), 1, 3), np.float32)
+    return Prediction(segmentation, nothing, segmentation.argmax(axis=0), np.zeros((len(probabilities), 1, 3, 3)))
 
 
 def at(pose: Pose, part: int, own_m: tuple[float, float, float]) -> np.ndarray:
