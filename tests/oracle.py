@@ -54,6 +54,12 @@ def box_surface(size: np.ndarray, count: int, rng: np.random.Generator) -> np.nd
     return np.asarray(points * size)
 
 
+def surfaces(pose: Pose, count: int, rng: np.random.Generator) -> np.ndarray:
+    """Random points on every part of an object of boxes, so many of each, in the camera's frame."""
+    parts = zip(pose.rotation, pose.translation, pose.size, strict=True)
+    return np.concatenate([box_surface(size, count, rng) @ R.T + t for R, t, size in parts]).astype(np.float32)
+
+
 def scene(category_name: str, rng: np.random.Generator, count: int = 3000) -> tuple[Category, Pose, np.ndarray]:
     """A category, the pose of an object of box-shaped parts, and a cloud of it with some background."""
     category = get_category(category_name)

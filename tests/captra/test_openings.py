@@ -12,8 +12,8 @@ from captra.pose_memory import NO_ERROR
 from captra.sampling import Neighborhoods
 from captra.solving import Prediction
 from captra.tracker import Tracker
-from tests.captra.test_stacking import cabinet, own
-from tests.oracle import OracleNetworks, box_surface
+from tests.captra.test_stacking import before_camera, cabinet, own
+from tests.oracle import OracleNetworks, surfaces
 
 DRAWERS, GLASSES, MUG = (get_category(name) for name in ("drawers", "glasses", "mug"))
 LOWEST, MIDDLE, TOP, BASE = range(4)
@@ -84,16 +84,11 @@ class Mistaken(OracleNetworks):
 
 def test_a_track_tells_drawers_apart_that_look_alike() -> None:
     rng = np.random.default_rng(4)
-    truth = replace(cabinet(4), translation=cabinet(4).translation - cabinet(4).translation[BASE] + [0, 0, 2.0])
+    truth = before_camera(4)
     drawn = replace(
         truth, translation=truth.translation + np.array([[0], [1], [0], [0]]) * 0.02 * truth.rotation[0, :, 2]
     )
-    cloud = np.concatenate(
-        [
-            box_surface(size, 1500, rng) @ R.T + t
-            for R, t, size in zip(drawn.rotation, drawn.translation, drawn.size, strict=True)
-        ]
-    ).astype(np.float32)
+    cloud = surfaces(drawn, 1500, rng)
     tracker = Tracker(Mistaken(DRAWERS, drawn, truth, found_error=NO_ERROR), truth)
     result = tracker.step(cloud)
     assert result.evidence.parts[MIDDLE].points > 50

@@ -9,7 +9,7 @@ from captra.categories import get_category
 from captra.geometry import Pose, axis_angle
 from captra.slides import NO_SLIDES, Slides
 from captra.tracker import Tracker
-from tests.oracle import OracleNetworks, box_surface
+from tests.oracle import OracleNetworks, surfaces
 
 DRAWERS, SCISSORS = get_category("drawers"), get_category("scissors")
 BASE = DRAWERS.root
@@ -58,12 +58,7 @@ def test_nothing_holds_parts_that_turn_or_are_not_known() -> None:
 def test_a_track_keeps_drawers_on_the_slides_of_the_given_pose(again: bool) -> None:
     rng = np.random.default_rng(3)
     truth = pulled(replace(cabinet(3), translation=np.zeros((4, 3))), 0.6 * np.arange(4)[:, None] * [1.0, 0, 0])
-    cloud = np.concatenate(
-        [
-            box_surface(size, 1500, rng) @ R.T + t
-            for R, t, size in zip(truth.rotation, truth.translation, truth.size, strict=True)
-        ]
-    ).astype(np.float32)
+    cloud = surfaces(truth, 1500, rng)
     networks = OracleNetworks(DRAWERS, truth, truth)
     tracker = Tracker(networks, truth)
     first = tracker.step(cloud).pose

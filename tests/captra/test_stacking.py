@@ -9,7 +9,7 @@ from captra.geometry import Pose, axis_angle
 from captra.pose_memory import NO_ERROR, FoundError
 from captra.stacking import stacked
 from captra.tracker import Tracker
-from tests.oracle import OracleNetworks, box_surface
+from tests.oracle import OracleNetworks, surfaces
 
 DRAWERS, GLASSES = get_category("drawers"), get_category("glasses")
 BASE = DRAWERS.root
@@ -20,9 +20,15 @@ def cabinet(seed: int) -> Pose:
     """Three drawers, one above the other with a little air, in a cabinet that stands anywhere."""
     rng = np.random.default_rng(seed)
     rotation = axis_angle(rng.standard_normal(3), rng.uniform(0, 3))
-    own = np.array([[0.0, -0.3, 0.05], [0.0, 0.0, 0.1], [0.0, 0.25, 0.0], [0.0, 0.0, 0.0]])
+    place = np.array([[0.0, -0.3, 0.05], [0.0, 0.0, 0.1], [0.0, 0.25, 0.0], [0.0, 0.0, 0.0]])
     size = np.array([[0.5, 0.28, 0.4], [0.5, 0.28, 0.4], [0.5, 0.2, 0.4], [0.6, 0.9, 0.5]])
-    return Pose.from_size(np.tile(rotation, (4, 1, 1)), rng.uniform(-1, 1, 3) + own @ rotation.T, size)
+    return Pose.from_size(np.tile(rotation, (4, 1, 1)), rng.uniform(-1, 1, 3) + place @ rotation.T, size)
+
+
+def before_camera(seed: int) -> Pose:
+    """Two metres away."""
+    pose = cabinet(seed)
+    return replace(pose, translation=pose.translation - pose.translation[BASE] + [0, 0, 2.0])
 
 
 def shifted(pose: Pose, part: int, own_m: tuple[float, float, float]) -> Pose:
@@ -79,13 +85,8 @@ def test_parts_that_turn_stay_where_they_are() -> None:
 
 def test_a_track_keeps_drawers_apart_that_look_alike() -> None:
     rng = np.random.default_rng(4)
-    truth = replace(cabinet(4), translation=cabinet(4).translation - cabinet(4).translation[BASE] + [0, 0, 2.0])
+    truth = before_camera(4)
     mistaken = shifted(truth, 1, (0, -0.28, 0))
-    cloud = np.concatenate(
-        [
-            box_surface(size, 1500, rng) @ R.T + t
-            for R, t, size in zip(mistaken.rotation, mistaken.translation, mistaken.size, strict=True)
-        ]
-    ).astype(np.float32)
+    cloud = surfaces(mistaken, 1500, rng)
     tracker = Tracker(OracleNetworks(DRAWERS, mistaken, truth, found_error=FoundError(((0.03, 0.06, 0.03),))), truth)
     assert np.abs(own(tracker.step(cloud).pose, truth)[1, 1]) < 0.1
