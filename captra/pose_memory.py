@@ -13,10 +13,14 @@ import numpy as np
 from jaxtyping import Bool, Float64
 
 from captra.categories import Category
+from captra.evidence import Evidence
 from captra.geometry import Pose, rotation_from_vector, rotation_vector
 
 CAUTION = 1.2
 """How much worse than in the protocol a given pose is taken to be: what people give is not all of one kind."""
+
+FEW_POINTS = 40
+"""Of a part: found from so many, its centre's error has twice the usual variance."""
 
 PerAxis = tuple[tuple[float, float, float], ...]
 """A number for x, y and z of every part; a single row is that of all parts."""
@@ -38,6 +42,13 @@ class FoundError:
     def measured(calibration: Mapping[str, Any]) -> "FoundError":
         """What a manifest's `found_error` describes; the usual one where it was never measured."""
         return FoundError(**{name: tuple(tuple(row) for row in rows) for name, rows in calibration.items()})
+
+    def seen_by(self, evidence: Evidence) -> "FoundError":
+        """The error of centres found from as many points as there are: of few, most may be another part's."""
+        points = np.array([len(part.explained) for part in evidence.parts])
+        more = np.sqrt(1 + FEW_POINTS / np.maximum(points, 1))[:, None]
+        centre = more * np.broadcast_to(self.centre, (len(points), 3))
+        return replace(self, centre=tuple(map(tuple, centre.tolist())))
 
     @property
     def calibration(self) -> dict[str, Any]:

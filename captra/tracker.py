@@ -19,6 +19,7 @@ from captra.observations import Observation, PointCloud
 from captra.output_filter import UNFILTERED, OutputFilter
 from captra.pose_memory import FoundError, PoseMemory
 from captra.recovery import NO_SEARCH, Search, SearchBudget, most_agreed
+from captra.riding import ride_along
 from captra.sampling import NoPointsError
 from captra.segmentation import NOTHING_KNOWN, Segmentation
 from captra.size_memory import GIVEN_ERROR, SizeMemory
@@ -219,7 +220,7 @@ class Tracker:
         """Where the object is believed to be: what was found, and what the given pose told that cannot be seen."""
         pose, self._size = self._sized(found)
         if self._credible and self._given:
-            error = self._options.found_error or self._networks.found_error
+            error = (self._options.found_error or self._networks.found_error).seen_by(found.evidence)
             possible = stacked(pose, self._pose, self._category, error)
             self._memory = PoseMemory.between(self._pose, possible, self._category, error)
             self._box_turns = BoxTurns.between(self._pose, possible, self._category, error)
@@ -227,7 +228,8 @@ class Tracker:
         if self._credible:
             self._box_turns = self._box_turns.updated(pose, found.evidence)
             self._memory = self._box_turns.refine(self._memory, pose.size)
-        return self._slides.apply(self._memory.apply(pose, found.evidence.fitted))
+        placed = self._slides.apply(self._memory.apply(pose, found.evidence.fitted))
+        return placed if self._given else ride_along(placed, found.evidence, self._pose, self._category)
 
     @property
     def _credible(self) -> bool:

@@ -7,9 +7,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from captra.categories import Category, get_category
+from captra.evidence import Evidence, PartEvidence
 from captra.geometry import Pose, axis_angle
 from captra.metrics import rotation_error_deg
-from captra.pose_memory import NO_ERROR, USUAL_ERROR, FoundError, PoseMemory
+from captra.pose_memory import FEW_POINTS, NO_ERROR, USUAL_ERROR, FoundError, PoseMemory
 from captra.tracker import Tracker
 from tests.oracle import OracleNetworks, scene
 
@@ -58,6 +59,19 @@ def test_what_a_manifest_says_is_read_and_what_it_does_not_say_is_usual() -> Non
     error = FoundError(((0.01, 0.02, 0.03),), ((1.0, 2.0, 3.0),))
     assert FoundError.measured(json.loads(json.dumps(error.calibration))) == error
     assert FoundError.measured({}) == USUAL_ERROR
+
+
+def test_a_centre_found_from_few_points_is_worth_less() -> None:
+    part = PartEvidence.missing(0, np.zeros(3))
+    parts = (replace(part, explained=np.zeros((count, 3))) for count in (0, 4, FEW_POINTS, 100 * FEW_POINTS))
+    error = FoundError(((0.01, 0.02, 0.03),), ((1.0, 2.0, 3.0),))
+    seen = error.seen_by(Evidence(tuple(parts), 1.0, 0))
+    ratio = np.array(seen.centre) / error.centre
+    np.testing.assert_allclose(ratio, ratio[:, :1] * np.ones(3))
+    assert ratio[0, 0] > ratio[1, 0] > 3
+    assert ratio[2, 0] == pytest.approx(np.sqrt(2))
+    assert ratio[3, 0] == pytest.approx(1, abs=0.01)
+    assert seen.rotation_deg == error.rotation_deg
 
 
 def test_of_a_small_object_networks_know_the_centre_better_than_people() -> None:
