@@ -17,6 +17,7 @@ SETTABLE = (
     "rotation_input",
     "rotation_fusion",
     "joint_projection",
+    "mirror",
 )
 
 

@@ -1,7 +1,7 @@
 """Chooses how a bundle's opinions on rotations become one, by tracking validation sequences with every candidate."""
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 
 from captra.categories import get_category
 from captra.evaluation.runner import ExportedNetworks, mean_over
@@ -10,10 +10,14 @@ from captra.evaluation.summary import Summary
 from captra.evaluation.workers import Workers
 from captra.joint_projection import JOINT_PROJECTIONS
 from captra.looking import Networks
+from captra.mirrors import MIRRORS
 from captra.runtime.bundle import Manifest
 
 ABOUT_Y = ("turn-about-y-from-coordinates", "turn-about-y-half-way")
 """These say nothing about objects that are symmetric about y."""
+
+LEAST_GAIN = 0.5
+"""In the unit of `worth`: a mirror takes CoordinateNet's time once more, and must be worth it."""
 
 
 @dataclass(frozen=True)
@@ -24,15 +28,17 @@ class Fusion:
     """Of both networks: a name of `captra.rotation_fusion.ROTATION_FUSIONS`."""
     joint_projection: str = "free"
     """Of all parts: a name of `captra.joint_projection.JOINT_PROJECTIONS`."""
+    mirror: str = "none"
+    """Of CoordinateNet's cloud: a name of `captra.mirrors.MIRRORS`."""
 
     @property
     def name(self) -> str:
         """For tables."""
-        return f"{self.rotation_fusion}, {self.joint_projection}"
+        return ", ".join((self.rotation_fusion, self.joint_projection, *({self.mirror} - {"none"})))
 
     def set_in(self, manifest: Manifest) -> Manifest:
         """The manifest with this fusion."""
-        return replace(manifest, rotation_fusion=self.rotation_fusion, joint_projection=self.joint_projection)
+        return replace(manifest, **asdict(self))
 
 
 @dataclass(frozen=True)
@@ -56,7 +62,9 @@ def rotation_fusions(category: str) -> tuple[str, ...]:
 
 
 def choose(category: str, measure: Callable[[Fusion], Summary]) -> tuple[Fusion, list[Summary]]:
-    """The best fusion of the networks with free parts, then the best of projections with it; and all that was measured.
+    """The best fusion of the networks with free parts, then the best of projections, and of mirrors, with it.
+
+    All that was measured comes with it.
 
     Args:
         category: name of the category.
@@ -67,7 +75,12 @@ def choose(category: str, measure: Callable[[Fusion], Summary]) -> tuple[Fusion,
         best = max(found, key=lambda fusion: worth(found[fusion]))
         others = (replace(best, joint_projection=name) for name in JOINT_PROJECTIONS if name != best.joint_projection)
         found |= _measured(others, measure)
-    return max(found, key=lambda fusion: worth(found[fusion])), list(found.values())
+    best = max(found, key=lambda fusion: worth(found[fusion]))
+    if not get_category(category).symmetric:
+        mirrored = _measured((replace(best, mirror=name) for name in MIRRORS if name != best.mirror), measure)
+        found |= mirrored
+        best = max((best, *mirrored), key=lambda fusion: worth(found[fusion]) - LEAST_GAIN * (fusion in mirrored))
+    return best, list(found.values())
 
 
 def measure(networks: ExportedNetworks, sources: Sequence[SequenceSource], workers: Workers, fusion: Fusion) -> Summary:

@@ -9,6 +9,7 @@ from typing import Any
 
 from captra.errors import UserError
 from captra.joint_projection import JOINT_PROJECTIONS
+from captra.mirrors import MIRRORS
 from captra.rotation_fusion import ROTATION_FUSIONS
 from captra.sampling import PROFILES, InputSampling, Profile
 
@@ -96,6 +97,9 @@ class Manifest:
     joint_projection: str = "free"
     """How rotations are kept on the joints: a name of `captra.joint_projection.JOINT_PROJECTIONS`; older manifests do
     not say it and leave every part free."""
+    mirror: str = "none"
+    """Whether CoordinateNet is asked about the mirrored cloud as well: a name of `captra.mirrors.MIRRORS`; older
+    manifests do not say it and ask once."""
     found_error: Mapping[str, Any] = field(default_factory=dict)
     """By how much the networks err on one object all the time, as `captra.pose_memory.FoundError.measured` reads it;
     older manifests do not say it."""
@@ -127,11 +131,14 @@ class Manifest:
             content["parts"] = tuple(content["parts"])
             content.setdefault("rotation_share", 1.0)
             content.setdefault("joint_projection", "free")
+            content.setdefault("mirror", "none")
             content.setdefault("found_error", {})
             if content["joint_projection"] not in JOINT_PROJECTIONS:
                 raise BundleError(f"its joint projection {content['joint_projection']!r} is unknown: {_ADVICE}")
             if content["rotation_fusion"] not in ROTATION_FUSIONS:
                 raise BundleError(f"its rotation fusion {content['rotation_fusion']!r} is unknown: {_ADVICE}")
+            if content["mirror"] not in MIRRORS:
+                raise BundleError(f"its mirror {content['mirror']!r} is unknown: {_ADVICE}")
             if missing := [entry.name for entry in fields(cls) if entry.name not in content]:
                 raise BundleError(f"it lacks {', '.join(missing)}: {_ADVICE}")
             return cls(**content)

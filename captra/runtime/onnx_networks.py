@@ -10,6 +10,7 @@ from jaxtyping import Float32
 
 from captra.categories import Category, get_category
 from captra.joint_projection import JOINT_PROJECTIONS, JointProjection
+from captra.mirrors import MIRRORS, Answer
 from captra.pose_memory import FoundError
 from captra.rotation_fusion import ROTATION_FUSIONS, RotationFusion
 from captra.runtime.bundle import COORDINATE, ROTATION, BundleError, Manifest, load_manifest, verify
@@ -111,10 +112,14 @@ class OnnxNetworks:
         self, points_canonical: Float32[np.ndarray, "points 3"], neighborhoods: Neighborhoods
     ) -> tuple[Float32[np.ndarray, "classes points"], Float32[np.ndarray, "parts points 3"]]:
         """Class probabilities and normalized coordinates, from the root's canonical cloud."""
-        segmentation, coordinates = self._coordinate.run(
-            ["segmentation", "coordinates"], feed(points_canonical[None], [neighborhoods])
-        )
-        return segmentation[0], coordinates[0]
+
+        def ask(points: Float32[np.ndarray, "points 3"]) -> Answer:
+            segmentation, coordinates = self._coordinate.run(
+                ["segmentation", "coordinates"], feed(points[None], [neighborhoods])
+            )
+            return segmentation[0], coordinates[0]
+
+        return MIRRORS[self.manifest.mirror](ask, points_canonical, self.category)
 
     def rotations(
         self, points_canonical: Float32[np.ndarray, "parts points 3"], neighborhoods: Sequence[Neighborhoods]

@@ -101,6 +101,7 @@ def test_another_rotation_net_leaves_the_rest_and_takes_away_what_was_measured(t
     before = replace(
         load_manifest(bundle),
         rotation_fusion="mean",
+        mirror="left-and-right",
         scores=(Score("captra evaluate", {"5°5cm %": 90.0}),),
         health={"doubt_below": 0.1},
         found_error={"rotation_deg": [[1.0, 1.0, 1.0]]},
@@ -116,7 +117,7 @@ def test_another_rotation_net_leaves_the_rest_and_takes_away_what_was_measured(t
     verify(bundle, after)
     assert (bundle / COORDINATE).read_bytes() == coordinate
     assert (bundle / ROTATION).stat().st_size < len(coordinate), "a larger network in half the room"
-    assert (after.precision, after.rotation_fusion) == ("float16 and int8", "mean")
+    assert (after.precision, after.rotation_fusion, after.mirror) == ("float16 and int8", "mean", "left-and-right")
     assert (after.scores, after.health, after.found_error) == ((), {}, {})
     assert after.training.details["rotation"] == {"samples": 77, "seed": 5}
     assert [mesh.name for mesh in after.training.meshes] == ["cup"]

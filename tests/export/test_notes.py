@@ -36,7 +36,7 @@ def test_objects_are_merged_and_lists_replaced(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("content", [{"sha256": {}}, ["scores"], {"category": "bowl", "scores": []}])
 def test_what_was_measured_or_computed_cannot_be_set(content: object, tmp_path: Path) -> None:
-    with pytest.raises(BundleError, match=r"only training, scores, health, .*, rotation_fusion, joint_projection can"):
+    with pytest.raises(BundleError, match=r"only training, scores, health, .*, joint_projection, mirror can"):
         with_notes(notes(tmp_path, content))
 
 

@@ -6,12 +6,13 @@ import pytest
 
 from captra.categories import CATEGORIES
 from captra.cli import main
-from captra.evaluation.fusion_choice import FusedNetworks, Fusion, choose, rotation_fusions, worth
+from captra.evaluation.fusion_choice import LEAST_GAIN, FusedNetworks, Fusion, choose, rotation_fusions, worth
 from captra.evaluation.runner import ExportedNetworks
 from captra.evaluation.summary import Summary
 from captra.joint_projection import JOINT_PROJECTIONS
 from captra.rotation_fusion import ROTATION_FUSIONS
 from captra.runtime.bundle import load_manifest, write_manifest
+from captra.runtime.onnx_networks import OnnxNetworks
 
 MODELS = Path(__file__).resolve().parents[3] / "models"
 
@@ -23,7 +24,7 @@ def mean_of(name: str, percent: float) -> Summary:
 @pytest.mark.parametrize("category", CATEGORIES)
 def test_candidates_are_fusions_that_manifests_can_name(category: str) -> None:
     _, means = choose(category, lambda fusion: mean_of(fusion.name, 50.0))
-    tried = [tuple(mean.name.split(", ")) for mean in means]
+    tried = [tuple(mean.name.split(", ")[:2]) for mean in means]
     assert {fusion for fusion, _ in tried} == set(rotation_fusions(category)) <= set(ROTATION_FUSIONS)
     assert {projection for _, projection in tried} == (
         set(JOINT_PROJECTIONS) if CATEGORIES[category].joints else {"free"}
@@ -39,9 +40,24 @@ def test_projections_are_tried_with_the_best_fusion_and_chosen_only_if_they_help
     assert choose("drawers", lambda fusion: mean_of(fusion.name, percents.get(fusion.name, 50.0)))[0] == Fusion("mean")
 
 
+@pytest.mark.parametrize(("gain", "chosen"), [(LEAST_GAIN / 2, "none"), (2 * LEAST_GAIN, "left-and-right")])
+def test_a_mirror_is_tried_with_the_best_of_all_and_chosen_if_it_is_worth_its_time(gain: float, chosen: str) -> None:
+    percents = {"mean, free": 60.0, "mean, pooled": 80.0, "mean, pooled, left-and-right": 80.0 + gain}
+    best, means = choose("glasses", lambda fusion: mean_of(fusion.name, percents.get(fusion.name, 50.0)))
+    assert best == Fusion("mean", "pooled", chosen)
+    assert [mean.name for mean in means if "left" in mean.name] == ["mean, pooled, left-and-right"]
+
+
+def test_objects_that_are_round_are_not_mirrored() -> None:
+    _, means = choose("can", lambda fusion: mean_of(fusion.name, 50.0))
+    assert not any("left" in mean.name for mean in means)
+
+
 def test_a_bundle_is_run_with_the_fusion_asked_for() -> None:
     exported = ExportedNetworks(MODELS / "laptop_articulated", "realtime", "cpu", 1)
-    fused = FusedNetworks(exported, Fusion("coordinates", "pooled")).load()
+    fused = FusedNetworks(exported, Fusion("coordinates", "pooled", "left-and-right")).load()
+    assert isinstance(fused, OnnxNetworks)
+    assert fused.manifest.mirror == "left-and-right"
     assert fused.rotation_fusion is ROTATION_FUSIONS["coordinates"]
     assert fused.joint_projection is JOINT_PROJECTIONS["pooled"]
 
@@ -61,6 +77,8 @@ def test_the_best_candidate_on_validation_sequences_goes_into_the_manifest(
     assert chosen.rotation_fusion in rotation_fusions("mug")
     printed = " ".join(capsys.readouterr().out.split())
     assert f"mug: {chosen.rotation_fusion}, free" in printed
+    assert "left-and-right" in printed
     assert "mug: centres stay off by" in printed
     assert chosen.found_error != before.found_error
-    assert replace(chosen, rotation_fusion=before.rotation_fusion, found_error=before.found_error) == before
+    noted = Fusion(chosen.rotation_fusion, chosen.joint_projection, chosen.mirror)
+    assert replace(noted.set_in(before), found_error=chosen.found_error) == chosen

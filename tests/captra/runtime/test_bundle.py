@@ -116,6 +116,19 @@ def test_a_manifest_from_before_the_share_means_all_points() -> None:
     assert Manifest.from_json(json.dumps(content)).rotation_share == 1
 
 
+def test_a_manifest_from_before_mirrors_asks_once() -> None:
+    content = json.loads(MANIFEST.to_json())
+    del content["mirror"]
+    assert Manifest.from_json(json.dumps(content)).mirror == "none"
+
+
+@pytest.mark.parametrize("field", ["rotation_fusion", "joint_projection", "mirror"])
+def test_a_way_to_run_the_networks_that_is_not_known(field: str) -> None:
+    content = {**json.loads(MANIFEST.to_json()), field: "sideways"}
+    with pytest.raises(BundleError, match=r"'sideways' is unknown.*update captra"):
+        Manifest.from_json(json.dumps(content))
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [

@@ -11,10 +11,12 @@ import pytest
 from captra.categories import UnknownCategoryError, get_category
 from captra.geometry import Pose, rotation_angle
 from captra.learn.networks import TorchNetworks
+from captra.mirrors import ACROSS
 from captra.runtime.bundle import BundleError, Manifest, load_manifest, write_manifest
 from captra.runtime.onnx_networks import OnnxNetworks, runs_at_a_time
 from captra.runtime.providers import OPENVINO
 from captra.sampling import PAPER, REALTIME, build_neighborhoods
+from captra.shipped import MODELS
 from captra.tracker import Tracker
 from export.inputs import made_up_clouds
 from export.parity import compare
@@ -41,6 +43,18 @@ def test_shapes_of_many_parts(tmp_path: Path) -> None:
     assert coordinates.shape == (4, 1024, 3)
     assert np.abs(coordinates).max() <= 0.5
     assert networks.rotations(clouds, neighborhoods).shape == (4, 1024, 6)
+
+
+def test_left_and_right_are_one_in_a_bundle_that_asks_in_the_mirror_too() -> None:
+    networks = OnnxNetworks.load(MODELS / "glasses", REALTIME, "cpu", threads=1)
+    (cloud,) = made_up_clouds(1, REALTIME)
+    neighborhoods = build_neighborhoods(cloud, REALTIME)
+    segmentation, coordinates = networks.coordinates(cloud, neighborhoods)
+    segmentation_mirrored, coordinates_mirrored = networks.coordinates(cloud * ACROSS, neighborhoods)
+    np.testing.assert_allclose(segmentation_mirrored[[1, 0, 2]], segmentation, atol=1e-5)
+    np.testing.assert_allclose(coordinates_mirrored[[1, 0, 2]] * ACROSS, coordinates, atol=1e-5)
+    once = replace(networks, manifest=replace(networks.manifest, mirror="none"))
+    assert np.abs(once.coordinates(cloud, neighborhoods)[1] - coordinates).max() > 0.001
 
 
 def test_threads_share_the_networks(mug_bundle: Path) -> None:
