@@ -140,7 +140,8 @@ def fuse(
 ) -> None:
     """Choose on validation sequences how a bundle's opinions on rotations become one, and note it in the manifest.
 
-    Also measures by how much poses stay wrong on one object: so much is made up for by the given pose.
+    Tries whether to ask about the mirrored cloud too, and measures by how much poses stay wrong on one object: so much
+    is made up for by the given pose.
 
     Example: captra fuse --category mug
     """
