@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-from jaxtyping import Bool, Float, Float64
+from jaxtyping import Bool, Float, Float64, Int64
 
 from captra.compiled import compiled
 from captra.geometry import Pose
@@ -103,9 +103,14 @@ class Evidence:
         return replace(self, parts=tuple(parts))
 
     @property
+    def explained_points(self) -> Int64[np.ndarray, " parts"]:
+        """How many points each part's fit explains."""
+        return np.array([len(part.explained) for part in self.parts])
+
+    @property
     def fitted(self) -> Bool[np.ndarray, " parts"]:
         """Which parts have a pose that explains points of this frame."""
-        return np.array([len(part.explained) > 0 for part in self.parts])
+        return self.explained_points > 0
 
     @property
     def centroid(self) -> Float64[np.ndarray, "parts 3"]:

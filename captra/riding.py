@@ -22,7 +22,7 @@ def ride_along(pose: Pose, evidence: Evidence, last: Pose, category: Category) -
 
     A root of which nothing is seen goes with the part that is seen best.
     """
-    points = np.array([len(part.explained) for part in evidence.parts])
+    points = evidence.explained_points
     share = points / (points + FEW_POINTS)
     rotation, translation = np.array(pose.rotation), np.array(pose.translation)
 

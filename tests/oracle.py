@@ -1,12 +1,13 @@
 """Networks that know the truth, for tests of everything around them."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from captra.canonical import canonicalize, decanonicalize
 from captra.categories import Category, get_category
+from captra.evidence import Evidence, PartEvidence
 from captra.geometry import Pose, axis_angle
 from captra.joint_projection import UNPROJECTED, JointProjection
 from captra.pose_memory import USUAL_ERROR, FoundError
@@ -58,6 +59,18 @@ def surfaces(pose: Pose, count: int, rng: np.random.Generator) -> np.ndarray:
     """Random points on every part of an object of boxes, so many of each, in the camera's frame."""
     parts = zip(pose.rotation, pose.translation, pose.size, strict=True)
     return np.concatenate([box_surface(size, count, rng) @ R.T + t for R, t, size in parts]).astype(np.float32)
+
+
+def elsewhere(pose: Pose) -> Pose:
+    """An object that was moved and turned as one rigid thing."""
+    turn = axis_angle(np.array([1.0, 2.0, 3.0]), 0.8)
+    return replace(pose, rotation=turn @ pose.rotation, translation=pose.translation @ turn.T + [0.1, 0.2, 0.3])
+
+
+def explaining(*points: int) -> Evidence:
+    """Evidence of fits that explain so many points of every part."""
+    nothing = PartEvidence.missing(0, np.zeros(3))
+    return Evidence(tuple(replace(nothing, explained=np.zeros((count, 3))) for count in points), 1.0, sum(points))
 
 
 def scene(category_name: str, rng: np.random.Generator, count: int = 3000) -> tuple[Category, Pose, np.ndarray]:

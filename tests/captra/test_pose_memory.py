@@ -7,12 +7,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from captra.categories import Category, get_category
-from captra.evidence import Evidence, PartEvidence
 from captra.geometry import Pose, axis_angle
 from captra.metrics import rotation_error_deg
 from captra.pose_memory import FEW_POINTS, NO_ERROR, USUAL_ERROR, FoundError, PoseMemory
 from captra.tracker import Tracker
-from tests.oracle import OracleNetworks, scene
+from tests.oracle import OracleNetworks, elsewhere, explaining, scene
 
 DRAWERS, MUG = get_category("drawers"), get_category("mug")
 
@@ -27,17 +26,12 @@ def off_by(true: Pose, offset_part: np.ndarray) -> Pose:
     return replace(true, translation=true.translation + np.einsum("pij,j->pi", true.rotation, offset_part))
 
 
-def moved(before: Pose) -> Pose:
-    turn = axis_angle(np.array([1.0, 2.0, 3.0]), 0.8)
-    return replace(before, rotation=turn @ before.rotation, translation=before.translation @ turn.T + [0.1, 0.2, 0.3])
-
-
 @given(st.integers(0, 9))
 def test_what_networks_cannot_see_of_a_cabinet_is_taken_from_the_given_pose_wherever_it_goes(seed: int) -> None:
     true = pose(4, 0.8, seed)
     found = off_by(true, np.array([0.0, 0.0, -0.03]))
     memory = PoseMemory.between(true, found, DRAWERS)
-    for where, there in ((true, found), (moved(true), moved(found))):
+    for where, there in ((true, found), (elsewhere(true), elsewhere(found))):
         left = np.linalg.norm(memory.apply(there, np.ones(4, bool)).translation - where.translation, axis=1)
         assert (left < 0.01).all()
 
@@ -62,10 +56,8 @@ def test_what_a_manifest_says_is_read_and_what_it_does_not_say_is_usual() -> Non
 
 
 def test_a_centre_found_from_few_points_is_worth_less() -> None:
-    part = PartEvidence.missing(0, np.zeros(3))
-    parts = (replace(part, explained=np.zeros((count, 3))) for count in (0, 4, FEW_POINTS, 100 * FEW_POINTS))
     error = FoundError(((0.01, 0.02, 0.03),), ((1.0, 2.0, 3.0),))
-    seen = error.seen_by(Evidence(tuple(parts), 1.0, 0))
+    seen = error.seen_by(explaining(0, 4, FEW_POINTS, 100 * FEW_POINTS))
     ratio = np.array(seen.centre) / error.centre
     np.testing.assert_allclose(ratio, ratio[:, :1] * np.ones(3))
     assert ratio[0, 0] > ratio[1, 0] > 3
@@ -98,7 +90,7 @@ def test_a_turn_that_networks_are_off_by_all_the_time_is_taken_back_in_part(seed
     off = axis_angle(np.array([0.0, 1.0, 0.0]), np.radians(6.0))
     found = replace(true, rotation=true.rotation @ off)
     memory, every = PoseMemory.between(true, found, category), np.ones(category.num_parts, bool)
-    for where, there in ((true, found), (moved(true), moved(found))):
+    for where, there in ((true, found), (elsewhere(true), elsewhere(found))):
         left = rotation_error_deg(memory.apply(there, every).rotation, where.rotation, symmetric=False)
         assert (left < 5.3).all()
         assert (left > 2.0).all()
@@ -142,3 +134,16 @@ def test_a_track_remembers_the_given_centre_until_it_is_given_another(again: boo
         found = tracker.step(8 * cloud).pose
     error = np.einsum("pji,pj->pi", truth.rotation, found.translation - truth.translation)
     np.testing.assert_allclose(error[:, 2], 0.0 if again else 0.015, atol=0.005)
+
+
+def test_a_track_holds_on_to_the_given_centre_of_a_part_of_which_little_is_seen() -> None:
+    rng = np.random.default_rng(2)
+    category, truth, cloud = scene("drawers", rng)
+    given_pose = off_by(truth, np.array([0.0, 0.0, 0.015]))
+    held = []
+    for seen in (cloud, np.concatenate([cloud[:20], cloud[3000:]])):
+        networks = OracleNetworks(category, truth, given_pose)
+        found = Tracker(networks, given_pose).step(seen).pose
+        held.append(np.einsum("pji,pj->pi", truth.rotation, found.translation - truth.translation)[:, 2])
+    assert held[1][0] > held[0][0] + 0.002
+    np.testing.assert_allclose(held[1][1:], held[0][1:], atol=0.0005)

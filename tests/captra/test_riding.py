@@ -6,15 +6,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from captra.categories import Category, get_category
-from captra.evidence import Evidence, PartEvidence
 from captra.geometry import Pose, axis_angle
 from captra.metrics import rotation_error_deg
 from captra.riding import FEW_POINTS, ride_along
 from captra.tracker import Tracker
-from tests.oracle import OracleNetworks, surfaces
+from tests.oracle import OracleNetworks, elsewhere, explaining, surfaces
 
 DRAWERS, GLASSES, MUG = get_category("drawers"), get_category("glasses"), get_category("mug")
-TURN = axis_angle(np.array([1.0, 2.0, 3.0]), 0.4)
 
 
 def pose(category: Category, seed: int = 0) -> Pose:
@@ -22,17 +20,6 @@ def pose(category: Category, seed: int = 0) -> Pose:
     rng, parts = np.random.default_rng(seed), category.num_parts
     rotation = axis_angle(rng.standard_normal((parts, 3)), rng.uniform(0, 3, parts))
     return Pose.from_size(rotation, rng.uniform(-0.3, 0.3, (parts, 3)), np.full((parts, 3), 0.1))
-
-
-def moved(before: Pose) -> Pose:
-    """The same as one rigid thing elsewhere."""
-    return replace(before, rotation=TURN @ before.rotation, translation=before.translation @ TURN.T + [0.1, 0.2, -0.1])
-
-
-def seen(*points: int) -> Evidence:
-    """So many points of every part."""
-    nothing = PartEvidence.missing(0, np.zeros(3))
-    return Evidence(tuple(replace(nothing, explained=np.zeros((count, 3))) for count in points), 1.0, sum(points))
 
 
 def with_part(whole: Pose, other: Pose, part: int) -> Pose:
@@ -52,22 +39,22 @@ def assert_same(one: Pose, other: Pose) -> None:
 def test_an_unseen_temple_goes_where_its_front_takes_it(seed: int, hidden: int) -> None:
     last = pose(GLASSES, seed)
     points = [200 * (part != hidden) for part in range(3)]
-    stayed = with_part(moved(last), last, hidden)
-    assert_same(ride_along(stayed, seen(*points), last, GLASSES), moved(last))
+    stayed = with_part(elsewhere(last), last, hidden)
+    assert_same(ride_along(stayed, explaining(*points), last, GLASSES), elsewhere(last))
 
 
 @given(st.integers(0, 9))
 def test_an_unseen_front_goes_where_the_temple_that_is_seen_best_takes_it(seed: int) -> None:
     last = pose(GLASSES, seed)
-    found = with_part(last, moved(last), 1)
-    assert_same(ride_along(found, seen(5, 90, 0), last, GLASSES).part(2), moved(last).part(2))
+    found = with_part(last, elsewhere(last), 1)
+    assert_same(ride_along(found, explaining(5, 90, 0), last, GLASSES).part(2), elsewhere(last).part(2))
 
 
 @given(st.integers(0, 9))
 def test_a_drawer_counts_for_as_much_as_is_seen_of_it(seed: int) -> None:
     last = pose(DRAWERS, seed)
     pulled = with_part(last, replace(last, translation=last.translation + [0.0, 0.0, 0.1]), 1)
-    after = [ride_along(pulled, seen(50, n, 50, 500), last, DRAWERS) for n in (4, FEW_POINTS, 30 * FEW_POINTS)]
+    after = [ride_along(pulled, explaining(50, n, 50, 500), last, DRAWERS) for n in (4, FEW_POINTS, 30 * FEW_POINTS)]
     opened = [one.translation[1, 2] - last.translation[1, 2] for one in after]
     assert opened[0] < 0.02
     assert opened[1] == pytest.approx(0.05)
@@ -78,14 +65,14 @@ def test_a_turn_about_a_hinge_counts_likewise() -> None:
     last = pose(GLASSES)
     turned = replace(last, rotation=last.rotation @ axis_angle(np.array([0.0, 1.0, 0.0]), np.radians(20.0)))
     found = with_part(last, turned, 0)
-    after = ride_along(found, seen(FEW_POINTS, 90, 500), last, GLASSES)
+    after = ride_along(found, explaining(FEW_POINTS, 90, 500), last, GLASSES)
     assert rotation_error_deg(after.rotation, last.rotation, symmetric=False).round(6).tolist() == [10.0, 0.0, 0.0]
 
 
 @pytest.mark.parametrize("points", [0, 3, 1000])
 def test_an_object_of_one_part_goes_where_it_is_found(points: int) -> None:
     last = pose(MUG)
-    assert_same(ride_along(moved(last), seen(points), last, MUG), moved(last))
+    assert_same(ride_along(elsewhere(last), explaining(points), last, MUG), elsewhere(last))
 
 
 def cabinet() -> Pose:
