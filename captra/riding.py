@@ -11,7 +11,7 @@ from jaxtyping import Float64
 
 from captra.categories import Category
 from captra.evidence import Evidence
-from captra.geometry import Pose, rotation_from_vector, rotation_vector
+from captra.geometry import Pose, project_to_rotation, rotation_from_vector, rotation_vector
 
 FEW_POINTS = 30
 """Of a part: found from so many, its joint is half way between where it stood and where it was found."""
@@ -31,10 +31,11 @@ def ride_along(pose: Pose, evidence: Evidence, last: Pose, category: Category) -
         expected = moved @ last.rotation[part]
         expected_centre = translation[by] + moved @ (last.translation[part] - last.translation[by])
         turn: Float64[np.ndarray, "3"] = rotation_vector(expected.T @ rotation[part])
-        rotation[part] = expected @ rotation_from_vector(share_found * turn)
+        # Projected, since products of rounded rotations, each made from the one before, drift off ever faster.
+        rotation[part] = project_to_rotation(expected @ rotation_from_vector(share_found * turn))
         translation[part] = expected_centre + share_found * (translation[part] - expected_centre)
 
-    if points[category.root] == 0:
+    if points[category.root] == 0 and points.any():
         carry(category.root, int(points.argmax()), 0.0)
     for joint in category.joints:
         carry(joint.child, joint.parent, float(share[joint.child]))

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from captra.categories import Category, get_category
-from captra.geometry import Pose, axis_angle
+from captra.geometry import Pose, axis_angle, is_rotation
 from captra.metrics import rotation_error_deg
 from captra.riding import FEW_POINTS, ride_along
 from captra.tracker import Tracker
@@ -73,6 +73,18 @@ def test_a_turn_about_a_hinge_counts_likewise() -> None:
 def test_an_object_of_one_part_goes_where_it_is_found(points: int) -> None:
     last = pose(MUG)
     assert_same(ride_along(elsewhere(last), explaining(points), last, MUG), elsewhere(last))
+
+
+@pytest.mark.parametrize("category", [DRAWERS, GLASSES, MUG])
+@pytest.mark.parametrize("points", [0, 1])
+def test_what_is_hidden_for_long_keeps_its_shape(category: Category, points: int) -> None:
+    """Every frame starts from the pose of the one before, root and parts in turn from each other."""
+    first = last = pose(category)
+    hidden = explaining(*(points * (part != category.root) for part in range(category.num_parts)))
+    for _ in range(500):
+        last = ride_along(last, hidden, last, category)
+    assert is_rotation(last.rotation, tolerance=1e-9)
+    np.testing.assert_allclose(last.translation, first.translation, atol=1e-6)
 
 
 def cabinet() -> Pose:
