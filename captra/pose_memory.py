@@ -46,6 +46,8 @@ class FoundError:
     def seen_by(self, evidence: Evidence) -> "FoundError":
         """The error of centres found from as many points as there are: of few, most may be another part's."""
         points = evidence.explained_points
+        if len(points) == 1:
+            return self
         more = np.sqrt(1 + FEW_POINTS / np.maximum(points, 1))[:, None]
         centre = more * np.broadcast_to(self.centre, (len(points), 3))
         return replace(self, centre=tuple(map(tuple, centre.tolist())))

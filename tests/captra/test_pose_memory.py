@@ -64,6 +64,7 @@ def test_a_centre_found_from_few_points_is_worth_less() -> None:
     assert ratio[2, 0] == pytest.approx(np.sqrt(2))
     assert ratio[3, 0] == pytest.approx(1, abs=0.01)
     assert seen.rotation_deg == error.rotation_deg
+    assert error.seen_by(explaining(4)) == error, "an object of one part is mistaken for no other"
 
 
 def test_of_a_small_object_networks_know_the_centre_better_than_people() -> None:
