@@ -5,6 +5,7 @@ import json
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from captra.errors import UserError
@@ -18,6 +19,10 @@ COORDINATE = "coordinate.onnx"
 ROTATION = "rotation.onnx"
 FORMAT = 1
 """Raised when older readers could misunderstand a manifest."""
+CHOICES: Mapping[str, Mapping[str, object]] = MappingProxyType(
+    {"joint_projection": JOINT_PROJECTIONS, "rotation_fusion": ROTATION_FUSIONS, "mirror": MIRRORS}
+)
+"""Entries of a manifest that are one of several names."""
 
 
 class BundleError(UserError, ValueError):
@@ -133,12 +138,9 @@ class Manifest:
             content.setdefault("joint_projection", "free")
             content.setdefault("mirror", "none")
             content.setdefault("found_error", {})
-            if content["joint_projection"] not in JOINT_PROJECTIONS:
-                raise BundleError(f"its joint projection {content['joint_projection']!r} is unknown: {_ADVICE}")
-            if content["rotation_fusion"] not in ROTATION_FUSIONS:
-                raise BundleError(f"its rotation fusion {content['rotation_fusion']!r} is unknown: {_ADVICE}")
-            if content["mirror"] not in MIRRORS:
-                raise BundleError(f"its mirror {content['mirror']!r} is unknown: {_ADVICE}")
+            for name, known in CHOICES.items():
+                if content[name] not in known:
+                    raise BundleError(f"its {name.replace('_', ' ')} {content[name]!r} is unknown: {_ADVICE}")
             if missing := [entry.name for entry in fields(cls) if entry.name not in content]:
                 raise BundleError(f"it lacks {', '.join(missing)}: {_ADVICE}")
             return cls(**content)
