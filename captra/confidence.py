@@ -80,6 +80,14 @@ def features(part: PartEvidence, distinct_points: int) -> Float64[np.ndarray, " 
     )
 
 
+def features_of_parts(evidence: Evidence) -> Float64[np.ndarray, "parts features"]:
+    """Every part's; of one that goes with another as much of the other's as of its pose."""
+    rows = np.stack([features(part, evidence.distinct_points) for part in evidence.parts])
+    for ride in evidence.rides:
+        rows[ride.part] = ride.found * rows[ride.part] + (1 - ride.found) * rows[ride.by]
+    return rows
+
+
 @dataclass(frozen=True)
 class ConfidenceModel:
     """Logistic regression on the evidence of the worst part."""
@@ -96,5 +104,4 @@ class ConfidenceModel:
 
     def __call__(self, evidence: Evidence) -> float:
         """Probability that the pose of every part is right: that of the worst one."""
-        rows = np.stack([features(part, evidence.distinct_points) for part in evidence.parts])
-        return float(1 / (1 + np.exp(-self.logit(rows).min())))
+        return float(1 / (1 + np.exp(-self.logit(features_of_parts(evidence)).min())))

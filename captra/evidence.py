@@ -79,6 +79,18 @@ class PartEvidence:
 
 
 @dataclass(frozen=True)
+class Ride:
+    """A part whose pose is told by another's as well."""
+
+    part: int
+    """The one that goes along."""
+    by: int
+    """The one that it goes with."""
+    found: float
+    """Share of its pose that is its own, as it was found."""
+
+
+@dataclass(frozen=True)
 class Evidence:
     """Everything that confidence is computed from."""
 
@@ -88,6 +100,8 @@ class Evidence:
     """Mean probability, over the network's points, of belonging to the object."""
     distinct_points: int
     """Points given to the networks, without repetitions: a sparse cloud has fewer than the profile asks for."""
+    rides: tuple[Ride, ...] = ()
+    """Parts that are hardly seen and go with others, those that others go with first."""
 
     def without_jumps(self) -> "Evidence":
         """The same for a look that was not expected to find the object just where it looked."""

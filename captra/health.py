@@ -78,11 +78,19 @@ class HealthMonitor:
         return replace(self, state=state, confidence=confidence, streak=streak, missed_frames=0)
 
     def missed(self) -> "HealthMonitor":
-        """The monitor after a frame without any point near the object: one alone changes nothing."""
+        """The monitor after a frame without any point near the object: one alone changes nothing.
+
+        As soon as another follows, both count against the track, and nothing speaks for it.
+        """
         missed = self.missed_frames + 1
         if missed == 1:
             return replace(self, missed_frames=missed)
-        return replace(self.updated(0.0), missed_frames=missed)
+        before = self._doubted() if missed == 2 else self
+        return replace(before._doubted(), missed_frames=missed)
+
+    def _doubted(self) -> "HealthMonitor":
+        state, streak = self._next(0.0)
+        return replace(self, state=state, confidence=0.0, streak=streak)
 
     def _next(self, confidence: float) -> tuple[State, int]:
         if confidence < self.doubt_below:

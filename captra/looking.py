@@ -17,6 +17,7 @@ from captra.joint_projection import JointProjection
 from captra.observations import Crop, Observation
 from captra.openings import told_apart
 from captra.pose_memory import FoundError
+from captra.riding import rides
 from captra.rotation_fusion import RotationFusion
 from captra.sampling import InputSampling, Neighborhoods, Profile, part_neighborhoods
 from captra.segmentation import NOTHING_KNOWN, Segmentation, overrule, without_background
@@ -127,7 +128,8 @@ def look(
     allowed = projection or networks.joint_projection
     pose, evidence = solve(crop.points, prediction, around, category, networks.rotation_fusion, allowed)
     pose, evidence = reject_leaps(pose, evidence, around)
-    evidence = replace(evidence, distinct_points=1 + int(np.count_nonzero(np.diff(np.sort(crop.indices)))))
+    distinct_points = 1 + int(np.count_nonzero(np.diff(np.sort(crop.indices))))
+    evidence = replace(evidence, distinct_points=distinct_points, rides=tuple(rides(evidence, category)))
     timing = StepTiming(*(1e3 * d for d in (sampled - started, inferred - sampled, perf_counter() - inferred)))
     return Sighting(around, pose, evidence, timing)
 

@@ -229,7 +229,7 @@ class Tracker:
             self._box_turns = self._box_turns.updated(pose, found.evidence)
             self._memory = self._box_turns.refine(self._memory, pose.size)
         placed = self._slides.apply(self._memory.apply(pose, found.evidence.fitted))
-        return placed if self._given else ride_along(placed, found.evidence, self._pose, self._category)
+        return placed if self._given else ride_along(placed, found.evidence, self._pose)
 
     @property
     def _credible(self) -> bool:

@@ -39,13 +39,20 @@ def test_relapse_while_recovering_is_lost_again() -> None:
     assert run(HealthMonitor(), *[BAD] * 4, GOOD, BAD)[-1] is State.LOST
 
 
-def test_frames_without_points_are_lost_within_five_but_one_alone_changes_nothing() -> None:
+def test_three_frames_without_points_are_lost_but_one_alone_changes_nothing() -> None:
     monitor, states = HealthMonitor(), []
-    for _ in range(5):
+    for _ in range(4):
         monitor = monitor.missed()
         states.append(monitor.state)
-    assert states == [State.TRACKING, *[State.UNCERTAIN] * 2, *[State.LOST] * 2]
+    assert states == [State.TRACKING, State.UNCERTAIN, *[State.LOST] * 2]
+    assert monitor.confidence == 0
     assert HealthMonitor().missed().updated(GOOD).missed().state is State.TRACKING
+
+
+def test_frames_without_points_count_with_the_doubt_before_them() -> None:
+    monitor = HealthMonitor(belief=Persistence(news=0.25)).updated(1e-6).updated(1e-6)
+    assert monitor.state is State.UNCERTAIN
+    assert monitor.missed().missed().state is State.LOST
 
 
 def test_a_given_pose_starts_a_new_track() -> None:
