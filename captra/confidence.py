@@ -26,6 +26,7 @@ FEATURES = (
     "flat",
     "diagonal_error",
     "guessed_turn",
+    "vanished",
 )
 """What the model weighs, all of it bad news."""
 
@@ -47,6 +48,7 @@ UNCALIBRATED: Mapping[str, float] = MappingProxyType(
         "flat": -0.6,
         "diagonal_error": -9.0,
         "guessed_turn": -2.0,
+        "vanished": -1.0,
     }
 )
 """Weights that suit most categories: a fit to validation sequences of several of them at once."""
@@ -56,15 +58,28 @@ FLAT_THICKNESS = 0.02
 """Thickness, in units of the scale, that noise gives to a board."""
 
 
-def features(part: PartEvidence, distinct_points: int) -> Float64[np.ndarray, " features"]:
-    """One part's evidence in the order of `FEATURES`; logarithms, since what matters are ratios."""
+def features(evidence: Evidence) -> Float64[np.ndarray, "parts features"]:
+    """Every part's evidence in the order of `FEATURES`; logarithms, since what matters are ratios.
+
+    A part that goes with another is as right as that one, as far as its pose is the other's; but its points are few,
+    and whether its joint moved meanwhile is not seen.
+    """
+    rows = np.stack([_own_features(part, evidence) for part in evidence.parts])
+    few_points = rows[:, FEATURES.index("few_points")].copy()
+    for ride in evidence.rides:
+        rows[ride.part] = ride.found * rows[ride.part] + (1 - ride.found) * rows[ride.by]
+    rows[:, FEATURES.index("few_points")] = few_points
+    return rows
+
+
+def _own_features(part: PartEvidence, evidence: Evidence) -> Float64[np.ndarray, " features"]:
     return np.array(
         [
             np.log(max(part.residual, 1e-3) / 0.02),
             1 - part.inliers,
             np.log1p(10 * part.disagreement_rad),
             -np.log(part.share + 0.005),
-            np.exp(-distinct_points / 100),
+            np.exp(-evidence.distinct_points / 100),
             np.log1p(10 * part.rotation_jump_rad),
             np.log1p(10 * part.translation_jump),
             np.log1p(10 * part.scale_jump),
@@ -76,16 +91,9 @@ def features(part: PartEvidence, distinct_points: int) -> Float64[np.ndarray, " 
             np.exp(-part.thickness / FLAT_THICKNESS),
             part.diagonal_error,
             part.guessed_turn,
+            evidence.vanished,
         ]
     )
-
-
-def features_of_parts(evidence: Evidence) -> Float64[np.ndarray, "parts features"]:
-    """Every part's; of one that goes with another as much of the other's as of its pose."""
-    rows = np.stack([features(part, evidence.distinct_points) for part in evidence.parts])
-    for ride in evidence.rides:
-        rows[ride.part] = ride.found * rows[ride.part] + (1 - ride.found) * rows[ride.by]
-    return rows
 
 
 @dataclass(frozen=True)
@@ -104,4 +112,4 @@ class ConfidenceModel:
 
     def __call__(self, evidence: Evidence) -> float:
         """Probability that the pose of every part is right: that of the worst one."""
-        return float(1 / (1 + np.exp(-self.logit(features_of_parts(evidence)).min())))
+        return float(1 / (1 + np.exp(-self.logit(features(evidence)).min())))

@@ -17,12 +17,12 @@ from captra.joint_projection import JointProjection
 from captra.observations import Crop, Observation
 from captra.openings import told_apart
 from captra.pose_memory import FoundError
-from captra.riding import rides
 from captra.rotation_fusion import RotationFusion
 from captra.sampling import InputSampling, Neighborhoods, Profile, part_neighborhoods
 from captra.segmentation import NOTHING_KNOWN, Segmentation, overrule, without_background
 from captra.side_by_side import SideBySide
 from captra.solving import Prediction, per_point_rotations, reject_leaps, solve
+from captra.visibility import visible
 
 
 class Networks(Protocol):
@@ -129,7 +129,7 @@ def look(
     pose, evidence = solve(crop.points, prediction, around, category, networks.rotation_fusion, allowed)
     pose, evidence = reject_leaps(pose, evidence, around)
     distinct_points = 1 + int(np.count_nonzero(np.diff(np.sort(crop.indices))))
-    evidence = replace(evidence, distinct_points=distinct_points, rides=tuple(rides(evidence, category)))
+    evidence = replace(evidence, distinct_points=distinct_points, visible=visible(evidence, crop))
     timing = StepTiming(*(1e3 * d for d in (sampled - started, inferred - sampled, perf_counter() - inferred)))
     return Sighting(around, pose, evidence, timing)
 

@@ -17,13 +17,24 @@ class Crop:
     """Metres, in the sensor's frame."""
     indices: Int64[np.ndarray, " points"]
     """Which points or pixels of the observation they are, row by row."""
+    standing_for: int | None = None
+    """How many points they were chosen from to stand for all of them; none if they are all there are."""
 
     def __len__(self) -> int:
         return len(self.indices)
 
+    @property
+    def total(self) -> int:
+        """How many points there were before some were chosen to stand for all."""
+        return len(self) if self.standing_for is None else self.standing_for
+
+    def kept(self, mask: np.ndarray) -> "Crop":
+        """The points where a mask is true, as if the others were not there."""
+        return Crop(self.points[mask], self.indices[mask])
+
     def chosen(self, order: np.ndarray) -> "Crop":
-        """The points at some positions of this crop, in that order; or those where a mask is true."""
-        return Crop(self.points[order], self.indices[order])
+        """The points at some positions of this crop, in that order, to stand for all of it."""
+        return Crop(self.points[order], self.indices[order], self.total)
 
 
 class Observation(Protocol):

@@ -72,7 +72,7 @@ class Box:
 def without_background(crop: Crop, segmentation: Segmentation) -> Crop:
     """What is left of a crop when known background is taken away."""
     kept = segmentation.labels(crop.indices) != BACKGROUND
-    return crop if kept.all() else crop.chosen(kept)
+    return crop if kept.all() else crop.kept(kept)
 
 
 def overrule(

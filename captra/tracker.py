@@ -19,13 +19,14 @@ from captra.observations import Observation, PointCloud
 from captra.output_filter import UNFILTERED, OutputFilter
 from captra.pose_memory import FoundError, PoseMemory
 from captra.recovery import NO_SEARCH, Search, SearchBudget, most_agreed
-from captra.riding import ride_along
+from captra.riding import ride_along, rides
 from captra.sampling import NoPointsError
 from captra.segmentation import NOTHING_KNOWN, Segmentation
 from captra.size_memory import GIVEN_ERROR, SizeMemory
 from captra.slides import NO_SLIDES, Slides
 from captra.solving import hold_gauge
 from captra.stacking import stacked
+from captra.visibility import Visibility
 
 LOOKS_AT_START = 2
 """What the first look leaves of a given pose's error is put down to the networks unless another follows."""
@@ -117,6 +118,7 @@ class Tracker:
         self._memory = PoseMemory.nothing_known(pose.num_parts)
         self._box_turns = BoxTurns.nothing_known(pose.num_parts)
         self._slides = NO_SLIDES
+        self._visibility = Visibility()
         self._health = self._health.restarted()
         self._motion = self._options.motion.restarted(pose)
         self._search = Search(pose)
@@ -150,6 +152,8 @@ class Tracker:
         best = self._choose(self._look(observation, segmentation, self._hypotheses(time_s)))
         self._health = self._health.updated(self._health.confidence_of(best.evidence))
         self._pose, self._given = self._placed(best), False
+        if self._health.trusted:
+            self._visibility = self._visibility.updated(best.evidence)
         self._motion = self._motion.observed(self._pose, time_s, trusted=self._health.trusted)
         self._search = self._search.updated(self._pose, self._health.state, self._looks)
         published, self._filter = self._filter.filtered(self._published(), time_s)
@@ -191,7 +195,12 @@ class Tracker:
         """Look around one pose, on the search's time."""
         found = look(self._networks, observation, around, segmentation, self._options.projection)
         self._options.search.spent(found.timing.total_ms)
-        return found
+        return replace(found, evidence=self._beside_the_past(found.evidence))
+
+    def _beside_the_past(self, evidence: Evidence) -> Evidence:
+        """How much less is seen than usual, and which parts go with others: none beside a pose that was given."""
+        judged = self._visibility.judged(evidence)
+        return judged if self._given else replace(judged, rides=tuple(rides(evidence, self._category)))
 
     def _choose(self, sightings: Sequence[Sighting]) -> Sighting:
         """The best one if it convinces, else the first, which goes on from the last pose; with the time of all of them.
@@ -229,7 +238,7 @@ class Tracker:
             self._box_turns = self._box_turns.updated(pose, found.evidence)
             self._memory = self._box_turns.refine(self._memory, pose.size)
         placed = self._slides.apply(self._memory.apply(pose, found.evidence.fitted))
-        return placed if self._given else ride_along(placed, found.evidence, self._pose)
+        return ride_along(placed, found.evidence, self._pose)
 
     @property
     def _credible(self) -> bool:

@@ -13,7 +13,7 @@ from captra.evaluation.health_figures import DEADLINE, false_alarms, gone, losse
 from captra.evaluation.watching import Watched
 from captra.health import HealthMonitor, State
 
-DOUBTS = (0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6)
+DOUBTS = (0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6)
 """Lower thresholds to try."""
 
 TRUST_LOGITS = (0.5, 1.0, 1.5, 2.0, 2.5)
@@ -26,23 +26,27 @@ that of losses untold.
 One good frame in a hundred called lost is as bad as one loss in five untold: both miss what we promise.
 """
 
-USUAL_DOUBT, USUAL_LOGITS, OUTLANDISH_COST = 0.2, 1.5, 0.1
-"""Thresholds that suit most categories, and what each of log odds away from them costs: among those that a few tracks
-do not tell apart, the next track wants the middle ones."""
+USUAL_DOUBT, USUAL_LOGITS, OUTLANDISH_COST = 0.03, 1.0, 0.2
+"""Thresholds that suit most categories, and what each of log odds away from them costs: those that fit a few tracks
+best tell fewer losses of the next ones, and more that are none."""
+
+BELIEF_STEP = 0.35
+"""Log odds that each belief counts as farther away from the first."""
 
 
 def choose_thresholds(
     model: ConfidenceModel, watched: Sequence[Watched], beliefs: Sequence[Belief] = (FORGETFUL,)
 ) -> HealthMonitor:
-    """The monitor of least cost on these tracks; of equal ones that with the first belief and most usual thresholds."""
+    """The monitor of least cost on these tracks, rather with the first belief and with usual thresholds."""
     told = [confidences(model, one) for one in watched]
 
     def monitor(belief: Belief, doubt: float, logits: float) -> HealthMonitor:
         return HealthMonitor(model, doubt, sigmoid(logit(doubt) + logits), belief=belief)
 
     def cost(choice: tuple[Belief, float, float]) -> float:
-        _, doubt, logits = choice
+        belief, doubt, logits = choice
         outlandish = abs(logit(doubt) - logit(USUAL_DOUBT)) + abs(logits - USUAL_LOGITS)
+        outlandish += BELIEF_STEP * beliefs.index(belief)
         return _cost(_retold(monitor(*choice), watched, told)) + OUTLANDISH_COST * outlandish
 
     return monitor(*min(itertools.product(beliefs, DOUBTS, TRUST_LOGITS), key=cost))

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Bool, Float64
 
-from captra.confidence import FEATURES, features_of_parts
+from captra.confidence import FEATURES, features
 from captra.data.recordings import Recording
 from captra.evaluation.incidents import Incident
 from captra.evaluation.observability import symmetric_frames
@@ -73,8 +73,7 @@ def _watch(tracker: Tracker, incident: Incident) -> Watched:
             told = (tracker.health.state, 0.0, np.full((parts, len(FEATURES)), np.nan), 0.0)
             published = tracker.pose
         else:
-            known = features_of_parts(result.evidence)
-            told = (result.state, result.confidence, known, result.timing.total_ms)
+            told = (result.state, result.confidence, features(result.evidence), result.timing.total_ms)
             published = result.pose
         rotation, translation = _errors(published, recording, frame, symmetric=bool(symmetric[frame]))
         looked = within(*_errors(tracker.pose, recording, frame, symmetric=bool(symmetric[frame])))

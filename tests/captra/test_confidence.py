@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from captra.confidence import FEATURES, UNCALIBRATED, ConfidenceModel, features
-from captra.evidence import Evidence, PartEvidence
+from captra.evidence import Evidence, PartEvidence, Ride
 
 GOOD = PartEvidence(
     points=500,
@@ -37,7 +37,7 @@ def evidence(*parts: PartEvidence, distinct_points: int = 1024) -> Evidence:
 
 
 def test_there_is_a_feature_and_a_weight_for_every_name() -> None:
-    assert features(GOOD, 1024).shape == (len(FEATURES),)
+    assert features(evidence(GOOD, BAD)).shape == (2, len(FEATURES))
     assert set(UNCALIBRATED) == set(FEATURES)
 
 
@@ -54,6 +54,22 @@ def test_the_worst_part_decides() -> None:
 
 def test_a_missing_part_is_never_trusted() -> None:
     assert ConfidenceModel()(evidence(GOOD, PartEvidence.missing(0, np.zeros(3)))) < 0.01
+
+
+def test_a_part_that_rides_is_as_right_as_the_part_that_it_rides_on_but_for_its_few_points() -> None:
+    model, nothing = ConfidenceModel(), PartEvidence.missing(0, np.zeros(3))
+    carried = replace(evidence(GOOD, nothing), rides=(Ride(1, 0, found=0.0),))
+    assert model(carried) == pytest.approx(model(evidence(GOOD, replace(GOOD, share=0.0))))
+    assert 0.5 < model(carried) < model(evidence(GOOD))
+    half = replace(evidence(GOOD, BAD), rides=(Ride(1, 0, found=0.5),))
+    assert model(evidence(GOOD, BAD)) < model(half) < model(evidence(GOOD))
+    assert model(replace(evidence(BAD, nothing), rides=carried.rides)) <= model(evidence(BAD))
+
+
+def test_a_part_rides_on_one_that_rides_itself() -> None:
+    nothing = PartEvidence.missing(0, np.zeros(3))
+    chain = replace(evidence(nothing, nothing, GOOD), rides=(Ride(1, 2, found=0.0), Ride(0, 1, found=0.0)))
+    assert ConfidenceModel()(chain) == pytest.approx(ConfidenceModel()(evidence(GOOD, replace(GOOD, share=0.0))))
 
 
 def test_a_sparse_cloud_is_trusted_less() -> None:

@@ -6,9 +6,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from captra.categories import Category, get_category
+from captra.evidence import Evidence, Ride
 from captra.geometry import Pose, axis_angle, is_rotation
 from captra.metrics import rotation_error_deg
-from captra.riding import FEW_POINTS, ride_along
+from captra.riding import FEW_POINTS, ride_along, rides
 from captra.tracker import Tracker
 from tests.oracle import OracleNetworks, elsewhere, explaining, surfaces
 
@@ -30,6 +31,11 @@ def with_part(whole: Pose, other: Pose, part: int) -> Pose:
     return replace(whole, rotation=rotation, translation=translation)
 
 
+def ridden(found: Pose, evidence: Evidence, last: Pose, category: Category) -> Pose:
+    """What was found, where parts ride as the evidence tells."""
+    return ride_along(found, replace(evidence, rides=tuple(rides(evidence, category))), last)
+
+
 def assert_same(one: Pose, other: Pose) -> None:
     np.testing.assert_allclose(one.rotation, other.rotation, atol=1e-9)
     np.testing.assert_allclose(one.translation, other.translation, atol=1e-9)
@@ -40,21 +46,21 @@ def test_an_unseen_temple_goes_where_its_front_takes_it(seed: int, hidden: int) 
     last = pose(GLASSES, seed)
     points = [200 * (part != hidden) for part in range(3)]
     stayed = with_part(elsewhere(last), last, hidden)
-    assert_same(ride_along(stayed, explaining(*points), last, GLASSES), elsewhere(last))
+    assert_same(ridden(stayed, explaining(*points), last, GLASSES), elsewhere(last))
 
 
 @given(st.integers(0, 9))
 def test_an_unseen_front_goes_where_the_temple_that_is_seen_best_takes_it(seed: int) -> None:
     last = pose(GLASSES, seed)
     found = with_part(last, elsewhere(last), 1)
-    assert_same(ride_along(found, explaining(5, 90, 0), last, GLASSES).part(2), elsewhere(last).part(2))
+    assert_same(ridden(found, explaining(5, 90, 0), last, GLASSES).part(2), elsewhere(last).part(2))
 
 
 @given(st.integers(0, 9))
 def test_a_drawer_counts_for_as_much_as_is_seen_of_it(seed: int) -> None:
     last = pose(DRAWERS, seed)
     pulled = with_part(last, replace(last, translation=last.translation + [0.0, 0.0, 0.1]), 1)
-    after = [ride_along(pulled, explaining(50, n, 50, 500), last, DRAWERS) for n in (4, FEW_POINTS, 30 * FEW_POINTS)]
+    after = [ridden(pulled, explaining(50, n, 50, 500), last, DRAWERS) for n in (4, FEW_POINTS, 30 * FEW_POINTS)]
     opened = [one.translation[1, 2] - last.translation[1, 2] for one in after]
     assert opened[0] < 0.02
     assert opened[1] == pytest.approx(0.05)
@@ -65,14 +71,14 @@ def test_a_turn_about_a_hinge_counts_likewise() -> None:
     last = pose(GLASSES)
     turned = replace(last, rotation=last.rotation @ axis_angle(np.array([0.0, 1.0, 0.0]), np.radians(20.0)))
     found = with_part(last, turned, 0)
-    after = ride_along(found, explaining(FEW_POINTS, 90, 500), last, GLASSES)
+    after = ridden(found, explaining(FEW_POINTS, 90, 500), last, GLASSES)
     assert rotation_error_deg(after.rotation, last.rotation, symmetric=False).round(6).tolist() == [10.0, 0.0, 0.0]
 
 
 @pytest.mark.parametrize("points", [0, 3, 1000])
 def test_an_object_of_one_part_goes_where_it_is_found(points: int) -> None:
     last = pose(MUG)
-    assert_same(ride_along(elsewhere(last), explaining(points), last, MUG), elsewhere(last))
+    assert_same(ridden(elsewhere(last), explaining(points), last, MUG), elsewhere(last))
 
 
 @pytest.mark.parametrize("category", [DRAWERS, GLASSES, MUG])
@@ -82,9 +88,15 @@ def test_what_is_hidden_for_long_keeps_its_shape(category: Category, points: int
     first = last = pose(category)
     hidden = explaining(*(points * (part != category.root) for part in range(category.num_parts)))
     for _ in range(500):
-        last = ride_along(last, hidden, last, category)
+        last = ridden(last, hidden, last, category)
     assert is_rotation(last.rotation, tolerance=1e-9)
     np.testing.assert_allclose(last.translation, first.translation, atol=1e-6)
+
+
+def test_who_rides_on_whom() -> None:
+    assert list(rides(explaining(30, 90, 0), GLASSES)) == [Ride(2, 1, 0.0), Ride(0, 2, 0.5), Ride(1, 2, 0.75)]
+    assert list(rides(explaining(0, 0, 0), GLASSES)) == [Ride(0, 2, 0.0), Ride(1, 2, 0.0)]
+    assert list(rides(explaining(0), MUG)) == []
 
 
 def cabinet() -> Pose:

@@ -51,7 +51,7 @@ def test_what_is_wrong_but_sure_does_not_make_all_good_frames_doubtful() -> None
 
 
 def test_frames_that_are_doubted_all_along_for_one_reason_are_not_summed_up() -> None:
-    good = [track([0.45] * 40, [1] * 40, 41, 41) for _ in range(3)]
+    good = [track([0.2] * 40, [1] * 40, 41, 41) for _ in range(3)]
     lost = track([*[0.7] * 10, *[0.01] * 10, *[0.7] * 10], [*[1] * 10, *[HIDDEN] * 10, *[1] * 10], 11, 21)
     beliefs = [Persistence(0.7, news=news) for news in (1.0, 0.35)]
     monitor = choose_thresholds(MODEL, [*good, lost], beliefs)
