@@ -28,6 +28,9 @@ from captra.solving import hold_gauge
 from captra.stacking import stacked
 from captra.visibility import Visibility
 
+CONVINCING = 0.5
+"""Confidence of one look by itself over which it is believed wherever it was: it is right more likely than not."""
+
 LOOKS_AT_START = 2
 """What the first look leaves of a given pose's error is put down to the networks unless another follows."""
 
@@ -174,7 +177,7 @@ class Tracker:
                 sightings.append(self._settle(observation, segmentation, pose))
             except NoPointsError as error:
                 refusal = error
-            if self._given and (not sightings or self._told(sightings[0]) >= self._health.trust_above):
+            if self._given and (not sightings or self._told(sightings[0]) >= CONVINCING):
                 break
         if not sightings:
             self._health = self._health.missed()
@@ -211,7 +214,7 @@ class Tracker:
         told = np.array([self._told(sighting) for sighting in sightings])
         centres_m = np.array([sighting.pose.translation.mean(axis=0) for sighting in sightings])
         chosen = most_agreed(told, centres_m, self._pose.scale.max()) if self._given else int(np.argmax(told))
-        best = sightings[chosen if told[chosen] >= self._health.trust_above else 0]
+        best = sightings[chosen if told[chosen] >= CONVINCING else 0]
         evidence = best.evidence.without_jumps() if self._given else best.evidence
         return replace(best, evidence=evidence, timing=StepTiming.sum(sighting.timing for sighting in sightings))
 

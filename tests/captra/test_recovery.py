@@ -119,11 +119,13 @@ class Approaching(OracleNetworks):
         return segmentation, np.clip(coordinates + noise, -0.5, 0.5).astype(np.float32)
 
 
-def approached(given_off_m: float, looks: int) -> tuple[Tracker, np.ndarray, Pose]:
+def approached(
+    given_off_m: float, looks: int, doubt_below: float = 0.3, trust_above: float = 0.8
+) -> tuple[Tracker, np.ndarray, Pose]:
     """A tracker before its first step, of an object that is `given_off_m` from where it was given."""
     category, truth, cloud = scene("camera", np.random.default_rng(12))
     start = Pose(truth.rotation, truth.translation + [given_off_m, 0, 0], truth.scale, truth.size)
-    monitor = HealthMonitor(ConfidenceModel(7.3, UNCALIBRATED), doubt_below=0.3, trust_above=0.8)
+    monitor = HealthMonitor(ConfidenceModel(7.3, UNCALIBRATED), doubt_below, trust_above)
     options = TrackerOptions(search=LookBudget(looks))
     return Tracker(Approaching(category, truth, start), start, monitor, options), cloud, truth
 
@@ -140,6 +142,12 @@ def test_a_given_pose_that_leads_nowhere_is_searched_around_at_once() -> None:
     np.testing.assert_allclose(tracker.pose.translation, truth.translation, atol=5e-3)
     alone, cloud, _ = approached(0.1, looks=1)
     assert State.TRACKING not in [alone.step(cloud).state for _ in range(6)]
+
+
+def test_a_track_that_is_easily_trusted_is_searched_around_all_the_same() -> None:
+    tracker, cloud, truth = approached(0.1, looks=4, doubt_below=1e-9, trust_above=1e-8)
+    tracker.step(cloud)
+    np.testing.assert_allclose(tracker.pose.translation, truth.translation, atol=5e-3)
 
 
 def test_the_last_trusted_pose_is_published_while_nothing_is_found() -> None:
