@@ -129,7 +129,7 @@ def response(
 
 def fuse(
     category: Categories = None,
-    sequences: Annotated[int, typer.Option(help="Procedural validation sequences per category.", min=1)] = 8,
+    sequences: Annotated[int, typer.Option(help="Procedural validation sequences per category.", min=1)] = 24,
     frames: Annotated[int, typer.Option(help="Of each.")] = 100,
     instances: Annotated[int, typer.Option(help="Objects on which lasting errors are measured.", min=2)] = 24,
     models: Models = DEFAULT_MODELS,
