@@ -101,7 +101,7 @@ class Evidence:
     distinct_points: int
     """Points given to the networks, without repetitions: a sparse cloud has fewer than the profile asks for."""
     visible: float = 0.0
-    """How much of the object is seen: points of the cloud that the fits explain, times their distance squared, m²."""
+    """How much of the object is seen: points of the cloud that the fits explain, times their distance² in m²."""
     vanished: float = 0.0
     """Logarithm of how many times less that is than the track is used to; 0 if it is not less."""
     rides: tuple[Ride, ...] = ()
