@@ -235,6 +235,7 @@ class Registry:
             stream.close()
             tape.close()
             raise
+        stream.announce()
         return session
 
     def _end(self, session: Session, stream: Stream, reason: CloseReason) -> None:

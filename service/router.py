@@ -106,7 +106,7 @@ class ZenohTransport:
         self._resources.callback(self._ros2.close)
 
     def attach(self, session: Session) -> Stream:
-        """Connect a session."""
+        """Connect a session, without telling others of it yet."""
         keys = self.keys(session.session_id)
         with self._lock:
             self._sessions[keys.client] = session

@@ -69,6 +69,8 @@ class SessionStream:
     def __init__(
         self, zenoh_session: zenoh.Session, keys: SessionKeys, session: Session, on_close: Callable[[], object]
     ) -> None:
+        self._zenoh_session = zenoh_session
+        self._keys = keys
         self._session = session
         self._router_id = str(zenoh_session.zid())
         with ExitStack() as resources:
@@ -82,10 +84,13 @@ class SessionStream:
                 name=session.session_id,
             )
             resources.callback(self._announcer.close)
-            resources.enter_context(zenoh_session.liveliness().declare_token(keys.alive))
             session.observe(self)
             self._clouds = Feed(zenoh_session, keys.cloud, self._take, f"captra-stream-{session.session_id}")
             self._resources = resources.pop_all()
+
+    def announce(self) -> None:
+        """Declare the token that is there as long as the session."""
+        self._resources.enter_context(self._zenoh_session.liveliness().declare_token(self._keys.alive))
 
     def cloud(self, header: NumberedHeader, observation: Observation) -> None:
         """Clients know their clouds."""

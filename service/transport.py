@@ -12,6 +12,9 @@ from service.session import Session
 class Stream(Protocol):
     """One session's connection."""
 
+    def announce(self) -> None:
+        """Tell whoever listens for sessions that this one is there; not before it can be found by its id."""
+
     def stop_receiving(self) -> None:
         """Take no more clouds; more than once does no harm."""
 
@@ -27,6 +30,11 @@ class Streams:
 
     def __init__(self, streams: tuple[Stream, ...]) -> None:
         self._streams = streams
+
+    def announce(self) -> None:
+        """Tell of the session on all of them."""
+        for stream in self._streams:
+            stream.announce()
 
     def stop_receiving(self) -> None:
         """Take no more clouds on any of them."""
@@ -57,7 +65,7 @@ class Transport(Protocol):
         """Where a session is reached."""
 
     def attach(self, session: Session) -> Stream:
-        """Connect a session."""
+        """Connect a session, without telling others of it yet."""
 
     def subscribe_previews(self, take: Callable[[str, Envelope], None]) -> ExitStack:
         """Call `take` with the name and the cloud of whatever comes on preview keys, until the stack is closed."""

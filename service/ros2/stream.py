@@ -56,6 +56,9 @@ class Ros2Stream:
                 self._subscriptions = (subscription,)
             self._resources = resources.pop_all()
 
+    def announce(self) -> None:
+        """ROS 2 sees the topics as they are made."""
+
     def cloud(self, header: NumberedHeader, observation: Observation) -> None:
         """ROS 2 knows its clouds."""
 

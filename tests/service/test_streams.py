@@ -9,6 +9,8 @@ import zenoh
 from captra.pose_memory import NO_ERROR
 from service.envelopes import Envelope
 from service.rejections import UnknownEncodingError
+from service.session import Session
+from service.transport import Stream
 from tests.service.support import (
     I16,
     STAMP_NS,
@@ -186,6 +188,25 @@ def test_tokens_tell_that_service_and_session_are_alive(service: Running, networ
     service.http.delete(f"/v1/sessions/{opened['session_id']}")
     gone = tokens.sample(2)
     assert (gone.kind, str(gone.key_expr)) == (zenoh.SampleKind.DELETE, f"{prefix}/alive")
+
+
+def test_whoever_is_told_of_a_session_finds_it(
+    service: Running, network: zenoh.Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    attach = service.service.transport.attach
+
+    def attach_slowly(session: Session) -> Stream:
+        stream = attach(session)
+        time.sleep(0.3)
+        return stream
+
+    monkeypatch.setattr(service.service.transport, "attach", attach_slowly)
+    tokens = token_inbox(network, "captra/default/sessions/*/alive")
+    opening = threading.Thread(target=service.open_session)
+    opening.start()
+    session_id = str(tokens.sample(0).key_expr).split("/")[-2]
+    assert service.http.get(f"/v1/sessions/{session_id}").status_code == 200
+    opening.join()
 
 
 def test_session_follows_its_client_after_a_grace_time() -> None:
