@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass, replace
+from itertools import product, starmap
 
 from captra.categories import get_category
 from captra.evaluation.runner import ExportedNetworks, mean_over
@@ -62,21 +63,20 @@ def rotation_fusions(category: str) -> tuple[str, ...]:
 
 
 def choose(category: str, measure: Callable[[Fusion], Summary]) -> tuple[Fusion, list[Summary]]:
-    """The best fusion of the networks with free parts, then the best of projections, and of mirrors, with it.
+    """The best pair of a fusion of the networks and a projection of their parts, then the best of mirrors with it.
 
+    Pairs are tried all: parts that carry each other's rotations can make another network's word the better one.
     All that was measured comes with it.
 
     Args:
         category: name of the category.
         measure: tracks the sequences with a fusion; the means carry its name.
     """
-    found = _measured((Fusion(name) for name in rotation_fusions(category)), measure)
-    if get_category(category).joints:
-        best = max(found, key=lambda fusion: worth(found[fusion]))
-        others = (replace(best, joint_projection=name) for name in JOINT_PROJECTIONS if name != best.joint_projection)
-        found |= _measured(others, measure)
+    chosen = get_category(category)
+    projections = tuple(JOINT_PROJECTIONS) if chosen.joints else ("free",)
+    found = _measured(starmap(Fusion, product(rotation_fusions(category), projections)), measure)
     best = max(found, key=lambda fusion: worth(found[fusion]))
-    if not get_category(category).symmetric:
+    if not chosen.symmetric:
         mirrored = _measured((replace(best, mirror=name) for name in MIRRORS if name != best.mirror), measure)
         found |= mirrored
         best = max((best, *mirrored), key=lambda fusion: worth(found[fusion]) - LEAST_GAIN * (fusion in mirrored))

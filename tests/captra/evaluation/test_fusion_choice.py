@@ -31,13 +31,19 @@ def test_candidates_are_fusions_that_manifests_can_name(category: str) -> None:
     )
 
 
-def test_projections_are_tried_with_the_best_fusion_and_chosen_only_if_they_help() -> None:
+def test_a_projection_is_chosen_only_if_it_helps() -> None:
     percents = {"mean, free": 70.0, "mean, pooled": 80.0, "mean, along-axes": 60.0}
     best, means = choose("drawers", lambda fusion: mean_of(fusion.name, percents.get(fusion.name, 50.0)))
     assert best == Fusion("mean", "pooled")
     assert worth(max(means, key=worth)) == 80.0
     percents["mean, pooled"] = 65.0
     assert choose("drawers", lambda fusion: mean_of(fusion.name, percents.get(fusion.name, 50.0)))[0] == Fusion("mean")
+
+
+def test_a_pair_is_found_that_is_best_though_neither_of_it_is_with_the_best_of_the_other() -> None:
+    percents = {"mean, free": 70.0, "turn-about-y-half-way, pooled": 80.0}
+    best, _ = choose("scissors", lambda fusion: mean_of(fusion.name, percents.get(fusion.name, 50.0)))
+    assert best == Fusion("turn-about-y-half-way", "pooled")
 
 
 @pytest.mark.parametrize(("gain", "chosen"), [(LEAST_GAIN / 2, "none"), (2 * LEAST_GAIN, "left-and-right")])
