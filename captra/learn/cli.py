@@ -195,7 +195,8 @@ def run_campaign(
     """The queue of `--all`, until it is through or interrupted; what it tells is kept in the folder too."""
     from datetime import UTC, datetime
 
-    from captra.learn.campaign import Campaign, Folders, LocalSteps, yield_to_others
+    from captra.learn.campaign import Campaign, Folders
+    from captra.learn.local_steps import LocalSteps, yield_to_others
 
     folders = Folders(folder, Path("models"))
     folder.mkdir(parents=True, exist_ok=True)

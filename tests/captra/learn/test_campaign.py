@@ -3,22 +3,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import pytest
-import torch
 
 from captra.categories import CATEGORIES
-from captra.learn.campaign import (
-    BOTH,
-    COURSE,
-    QUEUE,
-    ROTATION_ANEW,
-    WARM_STARTS,
-    Campaign,
-    Folders,
-    LocalSteps,
-    Stretch,
-    load_standings,
-    replace_bundle,
-)
+from captra.learn.campaign import Campaign, Folders, load_standings
+from captra.learn.cli import check_alike
+from captra.learn.course import BOTH, COURSE, QUEUE, ROTATION_ANEW, WARM_STARTS, Stretch
 
 
 @dataclass
@@ -29,14 +18,18 @@ class Scripted:
     scores: list[float]
     done: list[str] = field(default_factory=list)
     stop_at: int = 10**9
+    seen: dict[str, int] = field(default_factory=dict)
 
     def make_views(self, category: str) -> None:
         self.done.append(f"views {category}")
 
-    def train(self, category: str, stretch: Stretch, until: int) -> None:
+    def train(self, category: str, stretch: Stretch, until: int) -> int:
         if until >= self.stop_at:
             raise KeyboardInterrupt
         self.done.append(f"{stretch.run} {category} {until}")
+        run = f"{stretch.run} {stretch.owner(category)}"
+        self.seen[run] = max(until, self.seen.get(run, 0))
+        return self.seen[run]
 
     def export(self, category: str, stretch: Stretch) -> None:
         out = self.folders.candidate(category)
@@ -57,7 +50,7 @@ def folders(tmp_path: Path) -> Folders:
 
 
 def test_only_what_scores_better_ships(folders: Folders) -> None:
-    steps = Scripted(folders, [50.0, 70.0, 60.0, 65.0, 69.0, 66.0, 67.0, 68.0])
+    steps = Scripted(folders, [50.0, 70.0, *[60.0] * 9])
     Campaign(folders, steps, 1000, lambda _: None).run(["can"])
     assert (folders.models / "can" / "manifest.json").read_text() == "run can 500"
     assert [path.name for path in folders.models.iterdir()] == ["can"]
@@ -70,7 +63,7 @@ def test_only_what_scores_better_ships(folders: Folders) -> None:
 def test_what_ships_already_has_to_be_beaten(folders: Folders) -> None:
     (folders.models / "can").mkdir()
     (folders.models / "can" / "manifest.json").write_text("old")
-    Campaign(folders, Scripted(folders, [80.0, *[79.0] * 8]), 1000, lambda _: None).run(["can"])
+    Campaign(folders, Scripted(folders, [80.0, *[79.0] * 11]), 1000, lambda _: None).run(["can"])
     assert (folders.models / "can" / "manifest.json").read_text() == "old"
 
 
@@ -78,18 +71,23 @@ def test_a_stopped_campaign_goes_on_where_it_was(folders: Folders) -> None:
     first = Scripted(folders, [50.0, 51.0], stop_at=750)
     with pytest.raises(KeyboardInterrupt):
         Campaign(folders, first, 1000, lambda _: None).run(["can"])
-    second = Scripted(folders, [40.0, 41.0, 90.0, 91.0, 89.0, 92.0])
+    second = Scripted(folders, [40.0, 41.0, 90.0, 91.0, 89.0, 92.0, 88.0, 93.0, 87.0])
     Campaign(folders, second, 1000, lambda _: None).run(["can"])
     assert [step for step in second.done if "draw" not in step] == [
         "views can",
+        "views bottle",
+        "views bowl",
         "run can 750",
         "run can 900",
         "run can 1000",
         "anew can 500",
         "anew can 750",
         "anew can 1000",
+        "further can 500",
+        "further can 750",
+        "further can 1000",
     ]
-    assert (folders.models / "can" / "manifest.json").read_text() == "anew can 1000"
+    assert (folders.models / "can" / "manifest.json").read_text() == "further can 750"
     third = Scripted(folders, [])
     Campaign(folders, third, 1000, lambda _: None).run(["can"])
     assert third.done == []
@@ -105,20 +103,21 @@ def test_categories_that_others_start_from_come_first(folders: Folders) -> None:
         assert folders.start_from("can") == folders.models / ships
 
 
-def test_the_real_steps_lead_from_nothing_to_a_bundle(folders: Folders) -> None:
-    """Far too little training to be of use, but every step is the one that a campaign takes."""
-    steps = LocalSteps(folders, samples=36, views=8, sequences=1, instances=2, frames=3)
-    steps.make_views("can")
-    steps.train("can", BOTH, 18)
-    first = torch.load(folders.run("can") / "state.pt", weights_only=True)["progress"]["samples"]
-    steps.train("can", BOTH, 36)
-    assert (first, torch.load(folders.run("can") / "state.pt", weights_only=True)["progress"]["samples"]) == (18, 36)
-    steps.export("can", BOTH)
-    assert 0 <= steps.validate(folders.candidate("can")) <= 100
-    assert all("procedural-9" not in path.name for path in folders.sequences.rglob("*.npz")), "no test seed is drawn"
-    replace_bundle(folders.candidate("can"), folders.models / "can")
-    before = {path.name: path.read_bytes() for path in (folders.models / "can").iterdir()}
-    steps.train("can", ROTATION_ANEW, 18)
-    steps.export("can", ROTATION_ANEW)
-    changed = {path.name for path in folders.candidate("can").iterdir() if path.read_bytes() != before[path.name]}
-    assert changed == {"rotation.onnx", "manifest.json"}
+def test_what_another_category_has_trained_already_is_judged_once(folders: Folders) -> None:
+    steps = Scripted(folders, [50.0] * 11 + [60.0] * 5 + [70.0] + [60.0] * 3)
+    Campaign(folders, steps, 1000, lambda _: None).run(["bottle", "can"])
+    assert steps.scores == []
+    assert folders.run("can", ROTATION_ANEW) == folders.run("bottle", ROTATION_ANEW)
+    assert folders.run("can", BOTH) != folders.run("bottle", BOTH)
+    standing = load_standings(folders.state)["can"]
+    assert (standing.milestones, standing.best) == (len(COURSE), 70.0)
+    assert (folders.models / "can" / "manifest.json").read_text() == "anew can 1000"
+    assert len(folders.scores("can", ROTATION_ANEW).read_text().splitlines()) == 1
+
+
+def test_who_is_served_by_another_comes_after_it_and_is_shown_to_it() -> None:
+    assert ROTATION_ANEW.shown("can") == ROTATION_ANEW.shown("bottle") == ("bottle", "bowl", "can")
+    assert ROTATION_ANEW.shown("mug") == ("mug",)
+    assert all(QUEUE.index(owner) < QUEUE.index(name) for name, owner in ROTATION_ANEW.served_by.items())
+    for name, owner in ROTATION_ANEW.served_by.items():
+        check_alike(CATEGORIES[owner], [CATEGORIES[name]])
