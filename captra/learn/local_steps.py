@@ -15,7 +15,7 @@ from captra.learn.plan import Plan
 
 @dataclass(frozen=True)
 class LocalSteps:
-    """What other packages do is asked of the command line."""
+    """Trains in this process; what other packages do is asked of the command line."""
 
     folders: Folders
     """Where things are."""
