@@ -24,8 +24,13 @@ def camera(service: Running) -> Iterator[Camera]:
 @pytest.fixture
 def placing(page: Page, camera: Camera) -> Page:
     """The page with a preview, on which a box was put by a click on the object."""
-    camera.put(f32(scene()), seq=0)
-    page.click("[data-preview=wrist]")
+    preview = page.locator("[data-preview=wrist]")
+    for _ in range(600):  # the first may go to the subscription of the page of the test before, which ends with it
+        if preview.count():
+            break
+        camera.put(f32(scene()), seq=0)
+        page.wait_for_timeout(100)
+    preview.click()
     until(page, "captra.points() > 4000")
     page.keyboard.press("n")
     page.wait_for_selector("#confirm")
