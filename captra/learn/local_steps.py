@@ -51,7 +51,7 @@ class LocalSteps:
         owner, views = stretch.owner(category), [self.folders.views(name) for name in stretch.shown(category)]
         plan = Plan(samples=self.samples, seed=self.seed, networks=stretch.networks)
         trainer = Trainer(
-            get_category(owner), ViewDataset(*views), plan, self.folders.run(owner, stretch), provenance(*views)
+            get_category(owner), ViewDataset(*views), plan, self.folders.run(category, stretch), provenance(*views)
         )
         start = self.folders.start_from(owner)
         if trainer.progress.samples == 0 and start is not None:
