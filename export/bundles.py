@@ -22,6 +22,7 @@ from export.graph import OPSET
 from export.onnx_export import coordinate_model, rotation_model
 from export.parity import Difference, require_parity
 from export.provenance import input_sampling_of, rotation_fusion_of, rotation_share_of, training_of, with_network
+from export.seen import RoundingOf, to_nearest
 
 
 def unchanged(manifest: Manifest) -> Manifest:
@@ -40,6 +41,7 @@ def export_bundle(
     precision: str,
     out: Path,
     *,
+    rounding: RoundingOf = to_nearest,
     describe: Callable[[Manifest], Manifest] = unchanged,
     report: Callable[[str, Difference], None] = silent,
 ) -> Manifest:
@@ -49,8 +51,9 @@ def export_bundle(
         coordinate: CoordinateNet's checkpoint, of the authors or ours.
         rotation: RotationNet's.
         category: of both.
-        precision: of the stored weights: float32, float16, int8, int6 or int5.
+        precision: of the stored weights: float32, float16, int8, int6, int5 or int4.
         out: the bundle's folder; its three files are replaced if they are there.
+        rounding: of weights that become whole numbers.
         describe: what to change in the manifest before it is written.
         report: told how far ONNX Runtime and PyTorch are apart at each profile.
 
@@ -63,8 +66,8 @@ def export_bundle(
     out.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix=f".{out.name}-", dir=out.parent) as scratch:
         folder = Path(scratch)
-        onnx.save(coordinate_model(coordinate_net, precision), folder / COORDINATE)
-        onnx.save(rotation_model(rotation_net, precision), folder / ROTATION)
+        onnx.save(coordinate_model(coordinate_net, precision, rounding(coordinate_net)), folder / COORDINATE)
+        onnx.save(rotation_model(rotation_net, precision, rounding(rotation_net)), folder / ROTATION)
         manifest = describe(
             Manifest(
                 category=category.name,
@@ -89,6 +92,7 @@ def replace_network(
     precision: str,
     bundle: Path,
     *,
+    rounding: RoundingOf = to_nearest,
     report: Callable[[str, Difference], None] = silent,
 ) -> Manifest:
     """Give a bundle another CoordinateNet or RotationNet; the network that stays does so to the byte.
@@ -98,8 +102,9 @@ def replace_network(
     Args:
         name: of the network that is replaced.
         checkpoint: of a network that fits the bundle's category, as `captra train --only` leaves it.
-        precision: of its stored weights: float32, float16, int8, int6 or int5.
+        precision: of its stored weights: float32, float16, int8, int6, int5 or int4.
         bundle: the folder; changed once the new graph agrees with the checkpoint at every profile.
+        rounding: of weights that become whole numbers.
         report: told how far ONNX Runtime and PyTorch are apart at each profile.
 
     Raises:
@@ -114,12 +119,12 @@ def replace_network(
     if name == "rotation":
         coordinate_net = coordinate_net_of_graph(bundle / COORDINATE, category)
         rotation_net = load_rotation_net(checkpoint, category)
-        replaced, graph = ROTATION, rotation_model(rotation_net, precision)
+        replaced, graph = ROTATION, rotation_model(rotation_net, precision, rounding(rotation_net))
         changed = replace(before, rotation_share=rotation_share_of(checkpoint))
     else:
         coordinate_net = load_coordinate_net(checkpoint, category)
         rotation_net = rotation_net_of_graph(bundle / ROTATION, category)
-        replaced, graph = COORDINATE, coordinate_model(coordinate_net, precision)
+        replaced, graph = COORDINATE, coordinate_model(coordinate_net, precision, rounding(coordinate_net))
         changed = replace(before, input_sampling=input_sampling_of(checkpoint))
     with tempfile.TemporaryDirectory(prefix=f".{bundle.name}-", dir=bundle.parent) as scratch:
         folder = Path(scratch)

@@ -16,7 +16,13 @@ OtherCheckpoint = Annotated[
 ]
 
 
-Precision = Annotated[str, typer.Option(help="How weights are stored: float32, float16, int8, int6 or int5.")]
+Precision = Annotated[str, typer.Option(help="How weights are stored: float32, float16, int8, int6, int5 or int4.")]
+Views = Annotated[
+    Path | None,
+    typer.Option(
+        exists=True, file_okay=False, help="Views, on which the errors of rounding to whole numbers are made up for."
+    ),
+]
 
 
 def export(
@@ -25,6 +31,7 @@ def export(
     category: Annotated[str, typer.Option(help="What they were trained on, e.g. mug.")],
     out: Annotated[Path, typer.Option(help="Folder of the bundle, e.g. models/mug.")],
     precision: Precision = "float16",
+    views: Views = None,
     notes: Annotated[
         Path | None,
         typer.Option(
@@ -41,6 +48,7 @@ def export(
         from export.bundles import export_bundle
         from export.notes import with_notes
         from export.parity import Difference
+        from export.seen import MadeUpFor, to_nearest
 
         def report(profile: str, difference: Difference) -> None:
             typer.echo(
@@ -49,8 +57,10 @@ def export(
             )
 
         describe = with_notes(notes)
+        chosen = get_category(category)
+        rounding = to_nearest if views is None else MadeUpFor.on(chosen, views)
         manifest = export_bundle(
-            coordinate, rotation, get_category(category), precision, out, describe=describe, report=report
+            coordinate, rotation, chosen, precision, out, rounding=rounding, describe=describe, report=report
         )
         typer.echo(f"wrote {out}: {', '.join(manifest.sha256)}, weights in {precision}")
 
@@ -60,14 +70,18 @@ def replace_network(
     coordinate: OtherCheckpoint = None,
     rotation: OtherCheckpoint = None,
     precision: Precision = "int8",
+    views: Views = None,
 ) -> None:
     """Give a bundle another CoordinateNet or RotationNet and keep the other; what was measured of both goes.
 
     Example: captra replace-network --rotation .campaign/runs/mug/anew/rotation.pt --bundle models/mug
     """
     with errors_for_people():
+        from captra.categories import get_category
+        from captra.runtime.bundle import load_manifest
         from export import bundles
         from export.parity import Difference
+        from export.seen import MadeUpFor, to_nearest
 
         name, checkpoint = _the_one(coordinate, rotation)
 
@@ -77,7 +91,9 @@ def replace_network(
                 f"{difference.mean_rotation_deg:.1e}° in mean rotations"
             )
 
-        manifest = bundles.replace_network(name, checkpoint, precision, bundle, report=report)
+        category = get_category(load_manifest(bundle).category)
+        rounding = to_nearest if views is None else MadeUpFor.on(category, views)
+        manifest = bundles.replace_network(name, checkpoint, precision, bundle, rounding=rounding, report=report)
         typer.echo(
             f"{bundle} has another network for {name}, weights in {precision}; next: captra fuse --category "
             f"{manifest.category}, captra calibrate, captra evaluate --write-scores"

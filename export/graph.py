@@ -9,24 +9,18 @@ import onnx
 from jaxtyping import Float
 from onnx import TensorProto, helper, numpy_helper
 
+from export.rounding import FEW_INPUTS, LARGEST_WHOLE, NEAREST, Rounding
+
 OPSET = 17
 """The oldest with everything that the networks need, so that old runtimes load them."""
 
 IR_VERSION = 8
 """The one that came with the opset."""
 
-LARGEST_WHOLE = MappingProxyType({"int8": 127, "int6": 31, "int5": 15})
-"""What the largest weight of a column becomes where weights are whole numbers. Each fills a byte: those with fewer bits
-take less room once they are compressed, as by git. The number below the least is left unused, so that columns stay
-symmetric."""
-
 PRECISIONS: Mapping[str, type[np.number]] = MappingProxyType(
     {"float32": np.float32, "float16": np.float16, **dict.fromkeys(LARGEST_WHOLE, np.int8)}
 )
 """How matrices are stored; arithmetic is float32 in any case, unless the runtime lowers it."""
-
-SMALLEST = 1e-30
-"""Columns of weights smaller than that become nothing."""
 
 
 class PrecisionError(ValueError):
@@ -36,11 +30,12 @@ class PrecisionError(ValueError):
 class GraphWriter:
     """Collects nodes and constants of one graph."""
 
-    def __init__(self, precision: str) -> None:
+    def __init__(self, precision: str, rounding: Rounding = NEAREST) -> None:
         if precision not in PRECISIONS:
             raise PrecisionError(f"unknown precision {precision!r}: choose one of {', '.join(PRECISIONS)}")
         self._matrix_type = PRECISIONS[precision]
         self._largest_whole = LARGEST_WHOLE.get(precision)
+        self._rounding = rounding
         self._nodes: list[onnx.NodeProto] = []
         self._constants: dict[str, onnx.TensorProto] = {}
 
@@ -73,10 +68,10 @@ class GraphWriter:
         if name in self._constants:
             return name if self._matrix_type is np.float32 else turned
         if self._largest_whole is not None:
-            scale = np.maximum(np.abs(values).max(axis=0).astype(np.float64), SMALLEST) / self._largest_whole
-            constant = self._constant(name, np.rint(values / scale).astype(np.int8))
-            whole = self("Cast", constant, name=f"{name}.whole", to=TensorProto.FLOAT)
-            return self("Mul", whole, self.vector(f"{name}.scale", scale), name=turned)
+            largest = self._largest_whole if len(values) >= FEW_INPUTS else LARGEST_WHOLE["int8"]
+            rounded = self._rounding(name, values.astype(np.float64), largest)
+            whole = self("Cast", self._constant(name, rounded.whole), name=f"{name}.whole", to=TensorProto.FLOAT)
+            return self("Mul", whole, self.vector(f"{name}.scale", rounded.scale), name=turned)
         with np.errstate(over="ignore"):
             stored = values.astype(self._matrix_type)
         if not np.isfinite(stored).all():

@@ -25,6 +25,7 @@ from captra.learn.pointnet2 import (
 from captra.learn.rotation_net import RotationHead, RotationNet
 from export.graph import GraphWriter, tensor
 from export.layers import Matrix, affine, cloud_norm, fold, linear, normalized, normalized_maximum
+from export.rounding import NEAREST, Rounding
 
 PIECES = 4
 """Groups of each cloud are worked through in so many pieces."""
@@ -33,13 +34,13 @@ GROUPS1 = ("group1_0", "group1_1", "group1_2")
 GROUPS2 = ("group2_0", "group2_1")
 
 
-def coordinate_model(network: CoordinateNet, precision: str) -> onnx.ModelProto:
+def coordinate_model(network: CoordinateNet, precision: str, rounding: Rounding = NEAREST) -> onnx.ModelProto:
     """CoordinateNet for one cloud: outputs `segmentation` (1, C, N), softmax, and `coordinates` (1, P, N, 3).
 
     Raises:
         PrecisionError: the precision is unknown or too narrow.
     """
-    g = GraphWriter(precision)
+    g = GraphWriter(precision, rounding)
     rows = _BackboneWriter(g, 1).write(network.backbone)
     probabilities = g("Softmax", linear(g, rows, network.segmentation, "segmentation"), axis=-1)
     g("Unsqueeze", g("Transpose", probabilities, perm=[1, 0]), g.integers(0), name="segmentation")
@@ -54,7 +55,7 @@ def coordinate_model(network: CoordinateNet, precision: str) -> onnx.ModelProto:
     return g.model("coordinate", _inputs(1, "N"), outputs)
 
 
-def rotation_model(network: RotationNet, precision: str) -> onnx.ModelProto:
+def rotation_model(network: RotationNet, precision: str, rounding: Rounding = NEAREST) -> onnx.ModelProto:
     """RotationNet for the clouds of all parts: output `rotation` (P, H, 6), or 3 for symmetric objects.
 
     H is the number of rows that the input `nearest1` has: only the first H points of each cloud, which are farthest
@@ -63,7 +64,7 @@ def rotation_model(network: RotationNet, precision: str) -> onnx.ModelProto:
     Raises:
         PrecisionError: the precision is unknown or too narrow.
     """
-    g = GraphWriter(precision)
+    g = GraphWriter(precision, rounding)
     rows = _BackboneWriter(g, network.num_parts).write(network.backbone)
     clouds = g("Reshape", rows, g.integers(network.num_parts, -1, FEATURES))
     heads = cast("list[RotationHead]", list(network.heads))

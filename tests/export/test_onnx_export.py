@@ -114,20 +114,21 @@ def test_int8_weights_take_a_quarter_of_the_room_and_answer_nearly_the_same(tmp_
 def test_fewer_bits_take_less_room_once_they_are_compressed() -> None:
     packed = [
         len(zlib.compress(coordinate_model(networks_of("mug")[0], precision).SerializeToString()))
-        for precision in ("int8", "int6", "int5")
+        for precision in ("int8", "int6", "int5", "int4")
     ]
     assert packed[1] < 0.85 * packed[0]
     assert packed[2] < 0.75 * packed[0]
+    assert packed[3] < 0.65 * packed[0]
 
 
-@pytest.mark.parametrize(("precision", "largest"), [("int8", 127), ("int6", 31), ("int5", 15)])
-@given(values=arrays(np.float32, (5, 3), elements=st.floats(-100, 100, width=32)))
+@pytest.mark.parametrize(("precision", "largest"), [("int8", 127), ("int6", 31), ("int5", 15), ("int4", 7)])
+@given(values=arrays(np.float32, (16, 3), elements=st.floats(-100, 100, width=32)))
 def test_whole_columns_keep_their_largest_weight_and_miss_the_others_by_half_a_step(
     precision: str, largest: int, values: np.ndarray
 ) -> None:
     writer = GraphWriter(precision)
     writer("MatMul", "x", writer.matrix("w", values), name="y")
-    shapes = tensor("x", TensorProto.FLOAT, 1, 5), tensor("y", TensorProto.FLOAT, 1, 3)
+    shapes = tensor("x", TensorProto.FLOAT, 1, 16), tensor("y", TensorProto.FLOAT, 1, 3)
     constants = {
         c.name: numpy_helper.to_array(c) for c in writer.model("one", shapes[:1], shapes[1:]).graph.initializer
     }
@@ -147,9 +148,9 @@ def test_weights_too_large_for_float16_are_refused() -> None:
 
 def test_an_unknown_precision_is_refused() -> None:
     with pytest.raises(
-        PrecisionError, match="unknown precision 'int4': choose one of float32, float16, int8, int6, int5"
+        PrecisionError, match="unknown precision 'int3': choose one of float32, float16, int8, int6, int5, int4"
     ):
-        coordinate_model(networks_of("mug")[0], "int4")
+        coordinate_model(networks_of("mug")[0], "int3")
 
 
 def test_folding_keeps_what_a_layer_computes() -> None:
