@@ -1,8 +1,7 @@
 """Order of the frames of one session: each newer than the last, gaps counted."""
 
 from service.rejections import RepeatedSeqError, StaleSeqError
-
-_REMEMBERED = 1024
+from service.runs import Runs
 
 
 class Sequence:
@@ -10,7 +9,7 @@ class Sequence:
 
     def __init__(self, last: int | None = None) -> None:
         self._last = last
-        self._rejected_since: set[int] = set()
+        self._refused = Runs()
 
     @property
     def last(self) -> int | None:
@@ -28,7 +27,7 @@ class Sequence:
             RepeatedSeqError: the number of the last frame processed.
             StaleSeqError: an older one.
         """
-        if self._last is None or seq > self._last:
+        if self._is_newer(seq):
             return
         advice = "numbers rise by one a frame; to start over, PUT the pose"
         if seq == self._last:
@@ -37,20 +36,20 @@ class Sequence:
 
     def reject(self, seq: int) -> None:
         """Remember that a frame arrived and was refused, so that it does not count as dropped."""
-        if (self._last is None or seq > self._last) and len(self._rejected_since) < _REMEMBERED:
-            self._rejected_since.add(seq)
+        if self._is_newer(seq):
+            self._refused.add(seq)
 
     def accept(self, seq: int) -> int:
-        """Note that a frame was processed; return how many between it and the last one never came to be."""
-        dropped = 0
-        if self._last is not None:
-            refused = sum(self._last < other < seq for other in self._rejected_since)
-            dropped = max(0, seq - self._last - 1 - refused)
+        """Note that a frame was processed; return how many between it and the last one never arrived."""
+        refused = self._refused.take_below(seq)
+        dropped = 0 if self._last is None else max(0, seq - self._last - 1 - refused)
         self._last = seq
-        self._rejected_since.clear()
         return dropped
 
     def restart(self) -> None:
         """Take any number next."""
         self._last = None
-        self._rejected_since.clear()
+        self._refused.clear()
+
+    def _is_newer(self, seq: int) -> bool:
+        return self._last is None or seq > self._last

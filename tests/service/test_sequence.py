@@ -1,4 +1,6 @@
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from service.rejections import RepeatedSeqError, StaleSeqError
 from service.sequence import Sequence
@@ -39,6 +41,39 @@ def test_refused_frames_do_not_move_the_sequence() -> None:
     sequence.reject(1000)
     sequence.check(8)
     assert sequence.accept(8) == 0
+
+
+@given(st.lists(st.tuples(st.integers(0, 30), st.booleans())))
+def test_dropped_are_those_in_between_that_never_arrived(frames: list[tuple[int, bool]]) -> None:
+    """Frames in any order, over and over, each usable or not."""
+    sequence, arrived, last = Sequence(), set[int](), None
+    for seq, usable in frames:
+        arrived.add(seq)
+        try:
+            sequence.check(seq)
+        except RepeatedSeqError:
+            assert seq == last
+            sequence.reject(seq)
+        except StaleSeqError:
+            assert last is not None
+            assert seq < last
+            sequence.reject(seq)
+        else:
+            assert last is None or seq > last
+            if not usable:
+                sequence.reject(seq)
+                continue
+            between = range(0) if last is None else range(last + 1, seq)
+            assert sequence.accept(seq) == len(set(between) - arrived)
+            last = seq
+
+
+def test_an_object_may_be_out_of_view_for_as_long_as_it_likes() -> None:
+    sequence = Sequence(0)
+    for refused in range(1, 10_001):
+        if refused % 3:
+            sequence.reject(refused)
+    assert sequence.accept(10_001) == 3333
 
 
 def test_restart_takes_any_number() -> None:
