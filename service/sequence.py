@@ -1,5 +1,7 @@
 """Order of the frames of one session: each newer than the last, gaps counted."""
 
+from typing import Self
+
 from service.rejections import RepeatedSeqError, StaleSeqError
 from service.runs import Runs
 
@@ -9,7 +11,18 @@ class Sequence:
 
     def __init__(self, last: int | None = None) -> None:
         self._last = last
+        self._above = last  # what numbers have to be higher than, also where the last one is not known
         self._refused = Runs()
+
+    @classmethod
+    def resumed(cls, trusted: int | None) -> Self:
+        """That of a session which another process left: numbers go on above `trusted`, the last one it stored.
+
+        Whether it processed later ones is not known: the first frame has no gap before it.
+        """
+        sequence = cls(trusted)
+        sequence._last = None
+        return sequence
 
     @property
     def last(self) -> int | None:
@@ -18,7 +31,7 @@ class Sequence:
 
     def next(self) -> int:
         """The number of a frame that brings none."""
-        return 0 if self._last is None else self._last + 1
+        return 0 if self._above is None else self._above + 1
 
     def check(self, seq: int) -> None:
         """Refuse what is not newer than the last frame.
@@ -30,9 +43,9 @@ class Sequence:
         if self._is_newer(seq):
             return
         advice = "numbers rise by one a frame; to start over, PUT the pose"
-        if seq == self._last:
+        if seq == self._above:
             raise RepeatedSeqError(f"frame {seq} has been processed already: {advice}")
-        raise StaleSeqError(f"frame {seq} is older than {self._last}, the last one processed: {advice}")
+        raise StaleSeqError(f"frame {seq} is older than {self._above}, the last one processed: {advice}")
 
     def reject(self, seq: int) -> None:
         """Remember that a frame arrived and was refused, so that it does not count as dropped."""
@@ -43,13 +56,13 @@ class Sequence:
         """Note that a frame was processed; return how many between it and the last one never arrived."""
         refused = self._refused.take_below(seq)
         dropped = 0 if self._last is None else max(0, seq - self._last - 1 - refused)
-        self._last = seq
+        self._last = self._above = seq
         return dropped
 
     def restart(self) -> None:
         """Take any number next."""
-        self._last = None
+        self._last = self._above = None
         self._refused.clear()
 
     def _is_newer(self, seq: int) -> bool:
-        return self._last is None or seq > self._last
+        return self._above is None or seq > self._above

@@ -78,7 +78,7 @@ class Session:
         self._trusted = record.trusted
         self._started_from = record.trusted.pose
         self._tracker = engine.start(record.trusted.pose, options)
-        self._sequence = Sequence(record.trusted.seq)
+        self._sequence = Sequence.resumed(record.trusted.seq)
         self._observers = Observers()
         self._observers.add(tape)
         self._closed = False

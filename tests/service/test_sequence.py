@@ -76,6 +76,19 @@ def test_an_object_may_be_out_of_view_for_as_long_as_it_likes() -> None:
     assert sequence.accept(10_001) == 3333
 
 
+def test_what_another_process_did_after_its_last_trusted_frame_is_no_gap() -> None:
+    sequence = Sequence.resumed(7)
+    assert sequence.last is None
+    assert sequence.next() == 8
+    with pytest.raises(RepeatedSeqError):
+        sequence.check(7)
+    with pytest.raises(StaleSeqError):
+        sequence.check(6)
+    sequence.reject(65)
+    assert sequence.accept(67) == 0
+    assert sequence.accept(70) == 2
+
+
 def test_restart_takes_any_number() -> None:
     sequence = Sequence(7)
     sequence.restart()

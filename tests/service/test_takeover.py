@@ -58,6 +58,23 @@ def test_untrusted_poses_are_not_gone_on_from() -> None:
     assert (trusted.seq, trusted.pose.translation[0].tolist()) == (None, [0, 0, 0.5])
 
 
+def test_frames_that_were_doubted_before_a_restart_do_not_count_as_dropped_after_it() -> None:
+    store = InMemorySessionStore()
+    with running("mug", store=store) as first:
+        assert first.service.readiness.wait_prepared(60)
+        session_id = first.open_session()["session_id"]
+        for seq in range(6):
+            assert first.post_frame(session_id, f32(blob()), seq).status_code == 200
+            first.provider.networks["mug"].doubtful = True
+    assert store.load()[0].trusted.seq == 0
+    with running("mug", store=store) as second:
+        assert second.service.readiness.wait_prepared(60)
+        assert second.post_frame(session_id, f32(blob()), 0).json()["reason"] == "repeated-seq"
+        for seq, dropped in ((6, 0), (9, 2)):
+            assert second.post_frame(session_id, f32(blob()), seq).status_code == 200
+            assert second.session(session_id)["counters"]["dropped"] == dropped
+
+
 def test_session_whose_model_is_missing_stays_stored() -> None:
     store = InMemorySessionStore()
     with running("mug", store=store) as first:
