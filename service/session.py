@@ -105,6 +105,11 @@ class Session:
         """The newest result; before the first one, the pose that was given."""
         return self._last_result
 
+    @property
+    def last_seq(self) -> int | None:
+        """Number of the last frame processed, which no refused one moves; none at the start and after a restart."""
+        return self._sequence.last
+
     def client_there(self) -> None:
         """The client's liveliness token is there; the store remembers, so that its absence after a restart tells."""
         self.liveness.client_back()

@@ -16,7 +16,7 @@ logger = logging.getLogger(__name__)
 
 
 class TopicNumbers:
-    """Numbers the clouds of a topic on from the session's last frame, so that gaps in the publisher's count show.
+    """Numbers a topic's clouds on from the session's last processed frame, so that gaps in the publisher's count show.
 
     A publisher that starts again counts from one under another id, which must not make its clouds look old.
     """
@@ -25,7 +25,7 @@ class TopicNumbers:
         self._last: RmwAttachment | None = None
 
     def number(self, attachment: RmwAttachment, last_seq: int | None) -> int | None:
-        """Number of a cloud, given that of the last frame; none where the session shall number it."""
+        """Number of a cloud, given that of the last frame processed; none where the session shall number it."""
         last = self._last
         if last is None or last_seq is None or last.gid != attachment.gid:
             return None
@@ -74,7 +74,7 @@ class PointsSubscription:
         except MalformedAttachmentError as rejection:
             self._session.refuse(rejection)
             return
-        if self._track(sample, self._numbers.number(sent, self._session.last_result.seq)):
+        if self._track(sample, self._numbers.number(sent, self._session.last_seq)):
             self._numbers.processed(sent)
 
     def _take_bridged(self, sample: zenoh.Sample) -> None:

@@ -19,7 +19,18 @@ from tests.service.ros2.peers import (
     rmw_attachment,
     rmw_peer,
 )
-from tests.service.support import Camera, Running, blob, f32, inbox, running, session_body, token_inbox, zenoh_client
+from tests.service.support import (
+    Camera,
+    Inbox,
+    Running,
+    blob,
+    f32,
+    inbox,
+    running,
+    session_body,
+    token_inbox,
+    zenoh_client,
+)
 
 POINTS_TOPIC = "/camera/depth/points"
 ROS2 = {"points_topic": POINTS_TOPIC, "name": "cup"}
@@ -48,6 +59,14 @@ def opened(node: Running) -> Iterator[dict[str, Any]]:
 def camera(ros: zenoh.Session, key: str = POINTS_KEY) -> Camera:
     """A publisher that the service listens to; rmw_zenoh sets no encoding."""
     return Camera(ros, key, encoding="")
+
+
+def rejected(events: Inbox, count: int) -> None:
+    """Wait until so many frames were refused; events of states come in between."""
+    index = 0
+    while count:
+        count -= events.message(index)["kind"] == "rejected"
+        index += 1
 
 
 def test_a_cloud_of_rmw_zenoh_comes_back_as_boxes_and_frames(
@@ -105,6 +124,22 @@ def test_gaps_show_and_a_driver_that_starts_again_is_not_old(
         results.message(index)
     assert [results.message(index)["seq"] for index in range(3)] == [0, 3, 4]
     assert node.session(opened["session_id"])["counters"]["dropped"] == 2
+
+
+def test_clouds_without_the_object_are_refused_and_leave_no_gap(
+    node: Running, ros: zenoh.Session, opened: dict[str, Any]
+) -> None:
+    events, results, driver = inbox(ros, opened["zenoh"]["event"]), inbox(ros, opened["zenoh"]["pose"]), camera(ros)
+    driver.put(cdr(blob()), attachment=rmw_attachment(1))
+    results.message(0)
+    for seq in range(2, 12):
+        driver.put(cdr(blob((0, 0, 5))), attachment=rmw_attachment(seq))
+        rejected(events, seq - 1)
+    driver.put(cdr(blob()), attachment=rmw_attachment(13))
+    while (shown := node.session(opened["session_id"]))["counters"]["processed"] < 2:
+        time.sleep(0.01)
+    assert (shown["counters"]["rejected"], shown["counters"]["dropped"]) == (10, 1)
+    assert shown["last_result"]["seq"] == 12
 
 
 def test_what_cannot_be_read_is_refused_with_a_reason(
