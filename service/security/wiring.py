@@ -79,9 +79,10 @@ def zenoh_entries(settings: Settings) -> dict[str, Any]:
 def access_control(service: str, granted: tuple[ZenohAccess, ...]) -> dict[str, Any]:
     """Rules by the common names of clients' certificates; what no rule allows is denied."""
     everything, session = f"captra/{service}/**", f"captra/{service}/sessions/*"
+    kept = f"{session}/pose/@adv/**"  # the last result, for late subscribers; ** alone matches no chunk with an @
     rules = [
-        rule("listen", "ingress", READING, everything),
-        rule("hear", "egress", ANSWERS, everything),
+        rule("listen", "ingress", READING, everything, kept),
+        rule("hear", "egress", ANSWERS, everything, kept),
         rule("feed", "ingress", ["put"], f"{session}/cloud"),
         rule("preview", "ingress", ["put"], f"captra/{service}/previews/*"),
         rule("live", "ingress", ["liveliness_token"], f"{session}/client"),
@@ -98,9 +99,9 @@ def access_control(service: str, granted: tuple[ZenohAccess, ...]) -> dict[str, 
     }
 
 
-def rule(name: str, flow: str, messages: list[str], key_expression: str) -> dict[str, Any]:
+def rule(name: str, flow: str, messages: list[str], *key_expressions: str) -> dict[str, Any]:
     """Something that is allowed."""
-    return {"id": name, "permission": "allow", "flows": [flow], "messages": messages, "key_exprs": [key_expression]}
+    return {"id": name, "permission": "allow", "flows": [flow], "messages": messages, "key_exprs": key_expressions}
 
 
 def is_loopback(host: str) -> bool:

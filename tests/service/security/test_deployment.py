@@ -22,7 +22,7 @@ from clients.service_process import free_ports
 from clients.stream import connect
 from service.security.wiring import ExposedError, check_exposure, host_of
 from service.settings import Settings, ZenohAccess
-from tests.service.support import blob, inbox
+from tests.service.support import blob, inbox, late_inbox
 from tests.service.test_process import ROOT, entry, process, stream
 
 POSE = Pose.from_size(np.eye(3)[None], np.array([[0, 0, 0.5]]), np.full((1, 3), 0.1))
@@ -101,9 +101,18 @@ def test_guarded_service_serves_its_clients_and_nobody_else(
             (result,) = session.track([blob((0.01, 0, 0.5))])
             assert result.parts[0].translation[0] == pytest.approx(0.01, abs=2e-3)
             with identity(monkeypatch, keys, "screen"), connect((endpoint,), 5.0) as screen:
+                hear_the_last_result_late(session, screen)
                 watch_but_not_stream(session, screen)
             with identity(monkeypatch, keys, "visitor"), connect((endpoint,), 5.0) as visiting:
                 neither_watch_nor_stream(session, visiting)
+
+
+def hear_the_last_result_late(session: Session, screen: zenoh.Session) -> None:
+    """A certificate that may watch gets the result that was there before it came, and then those that follow."""
+    with late_inbox(screen, f"captra/default/sessions/{session.session_id}/pose") as late:
+        before = late.message(0)["seq"]
+        (result,) = session.track([blob((0.01, 0, 0.5))])
+        assert late.message(1)["seq"] == result.seq == before + 1
 
 
 def watch_but_not_stream(session: Session, screen: zenoh.Session) -> None:
@@ -112,7 +121,7 @@ def watch_but_not_stream(session: Session, screen: zenoh.Session) -> None:
     poses = inbox(screen, f"{stem}/pose")
     screen.put(f"{stem}/cloud", b"\0" * 12, encoding="application/vnd.captra.cloud.f32")
     events: list[Event] = []
-    for seq, result in enumerate(session.track([blob((0.02, 0, 0.5))] * 5, on_event=events.append), start=1):
+    for seq, result in enumerate(session.track([blob((0.02, 0, 0.5))] * 5, on_event=events.append), start=2):
         assert result.seq == seq
     assert poses.message(0)["session_id"] == session.session_id
     assert events == []  # a put that had arrived would have been rejected
