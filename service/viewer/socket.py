@@ -1,6 +1,5 @@
 """One websocket a viewer: it says what it looks at, and is shown that, at a rate that never holds tracking up."""
 
-import asyncio
 import time
 from typing import Annotated, Literal
 from urllib.parse import urlsplit
@@ -65,9 +64,10 @@ async def stream(websocket: WebSocket) -> None:
     service: TrackingService = websocket.app.state.service
     viewer = Viewer(websocket, service, websocket.app.state.previews)
     try:
-        async with asyncio.TaskGroup() as tasks:
-            tasks.create_task(viewer.listen())
-            tasks.create_task(viewer.show())
+        # That of asyncio would not wait for a thread with a wish in hand, which then began to watch after the end.
+        async with anyio.create_task_group() as tasks:
+            tasks.start_soon(viewer.listen)
+            tasks.start_soon(viewer.show)
     except* (WebSocketDisconnect, RuntimeError):  # whichever of the two notices first that it left
         pass
     finally:

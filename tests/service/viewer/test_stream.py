@@ -3,8 +3,10 @@
 import json
 import socket
 import struct
+import threading
 import time
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
@@ -13,7 +15,9 @@ from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Origin
 
+from service.observer import Observer
 from service.viewer.clouds import MOST_POINTS
+from service.viewer.socket import Viewer
 from tests.service.support import Running, f32
 from tests.service.viewer.looking import scene
 
@@ -123,6 +127,48 @@ def test_a_viewer_that_left_leaves_nothing_behind(service: Running) -> None:
         viewer.send(json.dumps({"type": "watch", "session": session_id}))
         message(viewer, "result")
         assert observers_of(session) == before + 1
+    deadline_s = time.monotonic() + 10
+    while observers_of(session) > before and time.monotonic() < deadline_s:
+        time.sleep(0.02)
+    assert observers_of(session) == before
+
+
+def test_a_viewer_that_left_while_its_wish_waited_for_a_frame_leaves_nothing_behind(
+    service: Running, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    session_id, networks = service.open_session()["session_id"], service.provider.networks["mug"]
+    session = service.service.registry.get(session_id)
+    before, show, observe = observers_of(session), Viewer.show, session.observe
+    noticed, observed = threading.Event(), threading.Event()
+
+    async def show_until_it_leaves(viewer: Viewer) -> None:
+        try:
+            await show(viewer)
+        finally:
+            noticed.set()
+
+    def observe_and_tell(observer: Observer) -> None:
+        observe(observer)
+        observed.set()
+
+    monkeypatch.setattr(Viewer, "show", show_until_it_leaves)
+    monkeypatch.setattr(session, "observe", observe_and_tell)
+    networks.asked.clear()
+    networks.gate.clear()
+    with ThreadPoolExecutor(1) as pool:
+        frame = pool.submit(service.post_frame, session_id, f32(scene()), seq=1)
+        try:
+            assert networks.asked.wait(10)
+            with connect(stream_of(service)) as viewer:
+                viewer.send(json.dumps({"type": "watch", "session": session_id}))
+                message(viewer, "result")  # what comes next waits for the frame in hand
+            assert noticed.wait(10)
+            for _ in range(5):
+                service.http.get("/v1/health/live")  # meanwhile the service does all it does when a viewer leaves
+        finally:
+            networks.gate.set()
+        assert frame.result(10).status_code == 200
+    assert observed.wait(10)
     deadline_s = time.monotonic() + 10
     while observers_of(session) > before and time.monotonic() < deadline_s:
         time.sleep(0.02)
