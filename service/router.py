@@ -117,7 +117,10 @@ class ZenohTransport:
         return self._ros2.beside(stream, session)
 
     def subscribe_previews(self, take: Callable[[str, Envelope], None]) -> ExitStack:
-        """Call `take`, on a thread of Zenoh, with the name and the cloud of whatever comes on preview keys."""
+        """Call `take`, on a thread of its own, with the name and the cloud of whatever comes on preview keys.
+
+        `take` may close the stack: Zenoh waits for no callback that runs on such a thread.
+        """
 
         def receive(sample: zenoh.Sample) -> None:
             if sample.kind == zenoh.SampleKind.PUT and len(sample.payload) <= self._max_payload_bytes:

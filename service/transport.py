@@ -68,7 +68,10 @@ class Transport(Protocol):
         """Connect a session, without telling others of it yet."""
 
     def subscribe_previews(self, take: Callable[[str, Envelope], None]) -> ExitStack:
-        """Call `take` with the name and the cloud of whatever comes on preview keys, until the stack is closed."""
+        """Call `take` with the name and the cloud of whatever comes on preview keys, until the stack is closed.
+
+        `take` may close it.
+        """
 
     def put(self, key: str, envelope: Envelope) -> None:
         """Put a cloud, as a client would."""

@@ -95,6 +95,8 @@ class Previews:
 
     def _take(self, name: str, envelope: Envelope) -> None:
         with self._lock:
+            if self._subscription is None:
+                return  # it came before the end of the subscription, and waited
             if name not in self._newest and len(self._newest) >= MOST_PREVIEWS:
                 return
             self._newest[name] = envelope
@@ -110,6 +112,7 @@ class Previews:
         except UnknownSessionError:
             with self._lock:
                 self._fed[name] = tuple(each for each in self._fed[name] if each != fed)
+                self._adjust()
             return
         key = self._service.transport.keys(fed.session_id).cloud
         self._service.transport.put(key, fed.sealed(envelope))

@@ -1,24 +1,27 @@
 """The websocket of the live page, without a browser."""
 
+import itertools
 import json
 import socket
 import struct
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
 import pytest
+import zenoh
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Origin
 
+from service.envelopes import pack_attachment
 from service.observer import Observer
 from service.viewer.clouds import MOST_POINTS
 from service.viewer.socket import Viewer
-from tests.service.support import Running, f32
+from tests.service.support import F32, STAMP_NS, Running, f32
 from tests.service.viewer.looking import scene
 
 
@@ -173,6 +176,37 @@ def test_a_viewer_that_left_while_its_wish_waited_for_a_frame_leaves_nothing_beh
     while observers_of(session) > before and time.monotonic() < deadline_s:
         time.sleep(0.02)
     assert observers_of(session) == before
+
+
+def test_clouds_of_a_preview_are_taken_until_the_session_that_they_feed_is_closed(
+    service: Running, network: zenoh.Session
+) -> None:
+    session_id = service.open_session()["session_id"]
+    publisher = network.declare_publisher("captra/default/previews/wrist", encoding=F32)
+    matched, unmatched = threading.Event(), threading.Event()
+    publisher.declare_matching_listener(lambda status: (matched if status.matching else unmatched).set())
+    seqs = itertools.count()
+
+    def put_until(done: Callable[[], bool]) -> None:
+        deadline_s = time.monotonic() + 10
+        while not done() and time.monotonic() < deadline_s:
+            publisher.put(f32(scene()), attachment=pack_attachment(next(seqs), STAMP_NS))
+            time.sleep(0.02)
+        assert done()
+
+    def processed() -> int:
+        counters: dict[str, int] = service.session(session_id)["counters"]
+        return counters["processed"]
+
+    with connect(stream_of(service)) as viewer:
+        assert matched.wait(10)
+        viewer.send(json.dumps({"type": "feed", "preview": "wrist", "session": session_id}))
+        put_until(lambda: processed() > 0)
+    seen = processed()
+    put_until(lambda: processed() > seen)
+    assert not unmatched.is_set()
+    service.http.delete(f"/v1/sessions/{session_id}")
+    put_until(unmatched.is_set)
 
 
 def test_a_viewer_that_reads_slowly_holds_nothing_up_and_sees_the_newest(service: Running) -> None:
