@@ -27,11 +27,8 @@ ROOT = Path(__file__).parents[2]
 RECORDING = ROOT / "recordings" / "mug__sweethome3d-KatorLegaz__coffee-mug__hand.npz"
 IMAGE = read((ROOT / "Dockerfile").read_text(), {})[-1]
 FRAMES = 8
-WITHOUT_RIGHTS = ("setpriv", "--bounding-set=-all,+ipc_lock", "--inh-caps=-all", "--no-new-privs")
-"""As root without capabilities: write protection holds, as for any user.
-
-But for the one to lock memory: Zenoh locks what it shares, and this client may lock more than a service without it.
-"""
+WITHOUT_RIGHTS = ("setpriv", "--bounding-set=-all", "--inh-caps=-all", "--no-new-privs")
+"""As root without capabilities: write protection holds, as for any user."""
 
 
 @pytest.fixture(scope="module")
