@@ -38,7 +38,7 @@ def generate(
     name = get_category(category).name
     library = load_meshes(meshes, name, "train") if meshes else ()
     draw_shape = shape_source(name, library, mesh_fraction)
-    write_sources(out, {mesh.name: mesh.licence for mesh in library})
+    write_sources(out, {mesh.name: str(mesh.credit.checked(mesh.name)) for mesh in library})
     started = time.monotonic()
 
     def report(done: int) -> None:

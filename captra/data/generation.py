@@ -53,7 +53,7 @@ def generate_views(
 
 
 def write_sources(folder: Path, sources: Mapping[str, str]) -> None:
-    """Note which library objects (name → licence) views of a folder were made from, beside earlier ones."""
+    """Note which library objects (name → licence and author) views of a folder were made from, beside earlier ones."""
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / "sources.json"
     known = json.loads(path.read_text()) if path.exists() else {}

@@ -10,6 +10,7 @@ import numpy as np
 
 from captra.categories import get_category
 from captra.data.articulated_meshes import LibraryError, deformed_articulated, load_articulated
+from captra.data.credits import Credit
 from captra.data.shapes.curves import through
 from captra.data.shapes.draws import between, chance
 from captra.data.shapes.mesh import Mesh
@@ -34,8 +35,8 @@ class MeshObject:
 
     name: str
     """`category/object`."""
-    licence: str
-    """As the library states it; bundles trained on it name it."""
+    credit: Credit
+    """Its licence and author; bundles trained on it name them."""
     notes: str
     """Known defects."""
     shape: Shape
@@ -56,7 +57,7 @@ def load_meshes(folder: Path, category: str, use: Use) -> tuple[MeshObject, ...]
         ) from error
     names = [name for name in sorted(index) if name.startswith(f"{_section(category)}/") and index[name]["use"] == use]
     return tuple(
-        MeshObject(name, index[name]["licence"], index[name]["notes"], load_mesh(folder, category, name))
+        MeshObject(name, Credit.of(index[name]), index[name]["notes"], load_mesh(folder, category, name))
         for name in names
     )
 

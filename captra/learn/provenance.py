@@ -1,10 +1,11 @@
 """What a checkpoint says about where it comes from."""
 
 import json
-import re
 import subprocess
 from pathlib import Path
 from typing import Any
+
+from captra.data.credits import Credit
 
 
 def provenance(*views: Path) -> dict[str, Any]:
@@ -23,14 +24,13 @@ def _commit() -> str:
 def _credits(sources: Path) -> list[dict[str, str]]:
     if not sources.exists():
         return []
-    credits_of = json.loads(sources.read_text())
+    read = {name: Credit.read(text) for name, text in json.loads(sources.read_text()).items()}
     return [
-        {"name": name, "license": re.sub(r" *\(.*\)", "", licence), "attribution": _author(name, licence)}
-        for name, licence in credits_of.items()
+        {"name": name, "license": credit.licence, "attribution": credit.author or _collection(name)}
+        for name, credit in read.items()
     ]
 
 
-def _author(name: str, licence: str) -> str:
-    """Named in brackets behind the licence, or else the collection the mesh is from."""
-    named = re.search(r"\((.*)\)", licence)
-    return named.group(1) if named else Path(name).name.partition("__")[0]
+def _collection(name: str) -> str:
+    """That the mesh is from, which is all that is known of it without an author."""
+    return Path(name).name.partition("__")[0]

@@ -1,8 +1,10 @@
 """compose.yaml and the systemd unit agree with the image, the routers and the settings."""
 
+import json
 import re
 import shutil
 import subprocess
+import tomllib
 from configparser import RawConfigParser
 from pathlib import Path
 from typing import Any
@@ -11,7 +13,8 @@ import pytest
 import yaml
 
 from docker.dockerfile import read
-from service.settings import Settings
+from service.security.wiring import ExposedError, check_exposure
+from service.settings import ApiKey, Settings
 
 ROOT = Path(__file__).parents[2]
 UNIT = ROOT / "deploy" / "systemd" / "captra.service"
@@ -19,9 +22,12 @@ SERVICES: dict[str, dict[str, Any]] = yaml.safe_load((ROOT / "compose.yaml").rea
 SETTINGS = {f"CAPTRA_{name.upper()}" for name in Settings.model_fields}
 
 
-def filled_in(text: str) -> str:
-    """Compose's ${NAME:-default}, with nothing set."""
-    return re.sub(r"\$\{\w+:-([^}]*)\}", r"\1", text)
+EXTRAS = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["optional-dependencies"]
+
+
+def filled_in(text: str, **chosen: str) -> str:
+    """Compose's ${NAME:-default}, with nothing set but what is chosen."""
+    return re.sub(r"\$\{(\w+):-([^}]*)\}", lambda match: chosen.get(match[1]) or match[2], text)
 
 
 def test_compose_runs_the_image_without_rights(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -34,6 +40,28 @@ def test_compose_runs_the_image_without_rights(monkeypatch: pytest.MonkeyPatch) 
         assert name in SETTINGS
         monkeypatch.setenv(name, filled_in(value))
     assert Settings().zenoh_advertise == ("tcp/127.0.0.1:7447",)
+
+
+def settings_in_compose(monkeypatch: pytest.MonkeyPatch, **chosen: str) -> Settings:
+    """Of the service that compose starts, where the shell has set what is chosen."""
+    captra = SERVICES["captra"]
+    image = read((ROOT / "Dockerfile").read_text(), captra["build"]["args"])[-1]
+    ours = {name: filled_in(value, **chosen) for name, value in captra["environment"].items()}
+    with monkeypatch.context() as environment:
+        for name, value in {**image.environment, **ours}.items():
+            environment.setenv(name, value)
+        return Settings()
+
+
+def test_compose_is_guarded_by_the_keys_that_it_is_given(monkeypatch: pytest.MonkeyPatch) -> None:
+    key = {"name": "arm", "sha256": "0" * 64}
+    guarded = settings_in_compose(monkeypatch, CAPTRA_ALLOW_OPEN="false", CAPTRA_API_KEYS=json.dumps([key]))
+    assert guarded.api_keys == (ApiKey(name="arm", sha256="0" * 64),)
+    check_exposure(guarded)
+    for keys in ("", "[]"):
+        with pytest.raises(ExposedError, match="api_keys"):
+            check_exposure(settings_in_compose(monkeypatch, CAPTRA_ALLOW_OPEN="false", CAPTRA_API_KEYS=keys))
+    check_exposure(settings_in_compose(monkeypatch))
 
 
 def test_the_router_of_compose_finds_captra_by_its_name() -> None:
@@ -70,3 +98,5 @@ def test_the_unit_sets_what_the_service_knows_and_writes_to_its_own_folders(tmp_
     assert f"CAPTRA_STATE_DIR=/var/lib/{unit['Service']['StateDirectory']}\n" in text
     assert f"NUMBA_CACHE_DIR=/var/cache/{unit['Service']['CacheDirectory']}\n" in text
     assert unit["Service"]["DynamicUser"] == "true"
+    (installed,) = re.findall(r"pip install --editable '\.\[(.*)\]'", text)
+    assert {"cpu", "secure"} == set(installed.split(",")) <= set(EXTRAS)

@@ -27,11 +27,8 @@ ROOT = Path(__file__).parents[2]
 RECORDING = ROOT / "recordings" / "mug__sweethome3d-KatorLegaz__coffee-mug__hand.npz"
 IMAGE = read((ROOT / "Dockerfile").read_text(), {})[-1]
 FRAMES = 8
-WITHOUT_RIGHTS = ("setpriv", "--bounding-set=-all,+ipc_lock", "--inh-caps=-all", "--no-new-privs")
-"""As root without capabilities: write protection holds, as for any user.
-
-But for the one to lock memory: Zenoh locks what it shares, and this client may lock more than a service without it.
-"""
+WITHOUT_RIGHTS = ("setpriv", "--bounding-set=-all", "--inh-caps=-all", "--no-new-privs")
+"""As root without capabilities: write protection holds, as for any user."""
 
 
 @pytest.fixture(scope="module")
@@ -115,9 +112,16 @@ def test_the_image_tracks_a_mug_with_what_was_built_into_it(prefix: Path, tmp_pa
     assert abs(results[-1].pose.translation - recording.truth(FRAMES - 1).translation).max() < 0.02
 
 
+def test_the_image_makes_the_keys_of_a_guarded_service(prefix: Path, tmp_path: Path) -> None:
+    keys = tmp_path / "keys"
+    command = [str(prefix / "bin" / "captra"), "certify", str(keys), "--host", "localhost", "--client", "arm"]
+    subprocess.run(command, env={"PATH": os.environ["PATH"]}, check=True, capture_output=True)
+    assert (keys / "captra.toml").is_file()
+
+
 def test_neither_pytorch_nor_a_compiler_nor_pip_is_in_it(prefix: Path) -> None:
     packages = {path.name for path in prefix.glob("lib/python3*/site-packages/*")}
-    assert {"onnxruntime", "numba", "zenoh"} <= packages
+    assert {"onnxruntime", "numba", "zenoh", "jwt"} <= packages
     assert not {"torch", "pip", "onnx", "trimesh", "matplotlib"} & packages
     assert not any((prefix / "bin" / tool).exists() for tool in ("cc", "gcc", "pip"))
 

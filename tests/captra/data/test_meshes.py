@@ -6,6 +6,7 @@ import pytest
 import trimesh
 
 from captra.data.articulated_meshes import LibraryError
+from captra.data.credits import Credit
 from captra.data.meshes import SHARE_PER_MESH, deformed, load_meshes, shape_source
 from captra.data.shapes import make_shape
 from captra.data.shapes.shape import rigid_shape
@@ -27,7 +28,7 @@ def library(tmp_path: Path) -> Path:
 
 def test_only_objects_of_the_category_and_use_are_read_and_they_are_centred(library: Path) -> None:
     (mug,) = load_meshes(library, "mug", "train")
-    assert (mug.name, mug.licence, mug.notes) == ("mug/train_me", "CC0", "a box")
+    assert (mug.name, mug.credit, mug.notes) == ("mug/train_me", Credit("CC0", ""), "a box")
     np.testing.assert_allclose(mug.shape.sizes[0], [0.12, 0.1, 0.08], atol=1e-6)
     np.testing.assert_allclose(mug.shape.centers[0], 0, atol=1e-6)
     assert load_meshes(library, "laptop", "train") == ()
