@@ -133,8 +133,10 @@ class Registry:
         return session
 
     def restore(self) -> None:
-        """Go on with every stored session, under its id and keys, from its last trusted pose."""
+        """Go on with every stored session that is not open, under its id and keys, from its last trusted pose."""
         for record in self._store.load():
+            if self._is_open(record.session_id):  # it is in this process that it was opened
+                continue
             about = {"session_id": record.session_id, "category": record.category}
             try:
                 self._begin(record, self._recordings.go_on)
@@ -254,6 +256,10 @@ class Registry:
                 f"{self._max_sessions} sessions are open, which is the limit: "
                 "DELETE one, wait until an idle one expires, or raise CAPTRA_MAX_SESSIONS"
             )
+
+    def _is_open(self, session_id: str) -> bool:
+        with self._lock:
+            return session_id in self._open
 
     def _find(self, session_id: str) -> tuple[Session, Stream]:
         with self._lock:

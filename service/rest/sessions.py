@@ -70,6 +70,7 @@ async def open_session(
     body: NewSession, request: Request, response: Response, service: Service, threads: OnThread
 ) -> OpenedSession:
     """Open a session: say what is tracked and where every part is in the first cloud."""
+    service.readiness.check_takes_sessions()
     check_name_free(body, service.registry.sessions())
     order, secret = order_of(body, service.settings), None
     if clouds_need_secrets(service.settings):

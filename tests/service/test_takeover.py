@@ -6,9 +6,12 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack
 
 import httpx
+import numpy as np
 import pytest
 
+from captra.geometry import Pose
 from service.liveness import CloseReason
+from service.registry import NewSession
 from service.rejections import NotReadyError
 from service.store import InMemorySessionStore
 from tests.service.support import (
@@ -67,6 +70,42 @@ def test_session_whose_model_is_missing_stays_stored() -> None:
         second.service.readiness.check()
         assert second.http.get(f"/v1/sessions/{session_id}").status_code == 404
     assert [record.session_id for record in store.load()] == [session_id]
+
+
+def test_no_session_is_opened_before_those_of_the_last_process_go_on() -> None:
+    store, provider = InMemorySessionStore(), CentreProvider("mug")
+    with running("mug", store=store) as first:
+        session_id = first.open_session()["session_id"]
+    provider.loading.clear()
+    with running(provider=provider, store=store) as second:
+        answer = second.http.post("/v1/sessions", json=session_body())
+        assert (answer.status_code, answer.json()["reason"]) == (503, "not-ready")
+        assert [record.session_id for record in store.load()] == [session_id]
+        provider.loading.set()
+        opened = second.open_session()
+        listed = second.http.get("/v1/sessions").json()["sessions"]
+        assert [each["session_id"] for each in listed] == [session_id, opened["session_id"]]
+
+
+def test_session_that_is_open_already_is_not_gone_on_with_once_more() -> None:
+    store, provider = InMemorySessionStore(), CentreProvider("mug")
+    with running("mug", store=store) as first:
+        first.open_session()
+    provider.loading.clear()
+    with running(provider=provider, store=store) as second, zenoh_client(second.endpoint) as network:
+        pose = Pose.from_size(np.eye(3)[None], np.array([[0, 0, 0.5]]), np.full((1, 3), 0.1))
+        order = NewSession("mug", "realtime", "camera", idle_timeout_s=300, pose=pose)
+        session = second.service.registry.open(order)
+        provider.loading.set()
+        assert second.service.readiness.wait_prepared(60)
+        assert second.service.registry.get(session.session_id) is session
+        assert second.metric("captra_sessions_restored_total") == 1
+        poses = inbox(network, f"captra/default/sessions/{session.session_id}/pose")
+        assert second.post_frame(session.session_id, f32(blob()), 0).status_code == 200
+        Camera(network, f"captra/default/sessions/{session.session_id}/cloud").put(f32(blob()), 1)
+        assert [poses.message(index)["seq"] for index in range(2)] == [0, 1]
+        assert second.http.delete(f"/v1/sessions/{session.session_id}").status_code == 204
+        assert not [thread for thread in threading.enumerate() if thread.name.endswith(session.session_id)]
 
 
 def test_closed_and_expired_sessions_are_forgotten() -> None:
@@ -128,6 +167,7 @@ def test_stopping_twice_is_harmless() -> None:
 
 def test_sessions_cannot_be_opened_while_the_service_stops() -> None:
     with running(provider=CentreProvider("mug")) as service:
+        assert service.service.readiness.wait_prepared(60)
         service.service.registry.shut_down()
         answer = service.http.post("/v1/sessions", json=session_body())
         assert (answer.status_code, answer.json()["reason"]) == (503, "not-ready")
