@@ -180,7 +180,7 @@ class UnknownRecordingError(RequestRejectedError, status=404):
 
 
 class UnfinishedRecordingError(RequestRejectedError, status=409):
-    """The recording is still being written."""
+    """The recording is still being written, or was broken off."""
 
 
 class UnknownSessionError(RequestRejectedError, status=404):

@@ -97,7 +97,9 @@ class Recordings:
                     f"{path} cannot be written ({error}): set CAPTRA_RECORD_DIR to a folder that can"
                 ) from error
             self._promised[name] = room
-        return McapTape(writer, body_of(record), room, lambda: self._finished(name), name)
+        return McapTape(
+            writer, body_of(record), room, lambda: self._finished(name), lambda: self._broken_off(path), name
+        )
 
     def go_on(self, record: SessionRecord) -> Tape:
         """Record a restored session into one more file; one that there is no room for goes on without."""
@@ -117,13 +119,13 @@ class Recordings:
 
         Raises:
             UnknownRecordingError: there is none of this name.
-            UnfinishedRecordingError: its session is still open.
+            UnfinishedRecordingError: its session is still open, or it was broken off.
         """
         whole, unfinished = (self._folder / (name + ending) for ending in (WHOLE, UNFINISHED))
         if NAME.fullmatch(name) and whole.is_file():
             return whole
         if NAME.fullmatch(name) and unfinished.is_file():
-            raise UnfinishedRecordingError(f"{name} is still being recorded: close its session first")
+            raise UnfinishedRecordingError(self._unfinished(name))
         raise UnknownRecordingError(f"there is no recording {name[:100]!r}: GET /v1/recordings lists those there are")
 
     def remove(self, name: str) -> None:
@@ -131,11 +133,19 @@ class Recordings:
 
         Raises:
             UnknownRecordingError: there is none of this name.
-            UnfinishedRecordingError: its session is still open.
+            UnfinishedRecordingError: its session is still open, or it was broken off.
         """
         self.path(name).unlink(missing_ok=True)
         with self._lock:
             self._changes += 1
+
+    def _unfinished(self, name: str) -> str:
+        if name in self._promised:
+            return f"{name} is still being recorded: close its session first"
+        return (
+            f"{name} was broken off and is not whole: what can be read of it is saved when the service starts and has "
+            "room for a copy; its log says more"
+        )
 
     def _finished(self, name: str) -> None:
         with self._lock:
@@ -143,6 +153,12 @@ class Recordings:
             path = self._folder / (name + UNFINISHED)
             path.rename(self._folder / (name + WHOLE))
             self._changes += 1
+
+    def _broken_off(self, path: Path) -> None:
+        """Keep what is there of a recording, now or, where there is no room for that, when the service starts again."""
+        self._make_whole(path)
+        with self._lock:
+            self._promised.pop(path.name.removesuffix(UNFINISHED), None)
 
     def _make_whole(self, path: Path) -> None:
         name = path.name.removesuffix(UNFINISHED)
