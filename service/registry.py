@@ -19,6 +19,8 @@ from service.readiness import STOPPING
 from service.recording.folder import Recordings
 from service.recording.tape import Tape
 from service.rejections import NotReadyError, NotStoredError, RejectedError, TooManySessionsError, UnknownSessionError
+from service.reporter import Reporter
+from service.results import Result
 from service.ros2.options import Ros2Options
 from service.session import Session
 from service.store import SessionRecord, SessionStore, StoreError, TrustedPose
@@ -122,7 +124,7 @@ class Registry:
             secret_sha256=new.secret_sha256,
             options=new.options,
         )
-        session = self._begin(record, self._recordings.start)
+        session = self._begin(record, self._recordings.start, Reporter.given)
         try:
             self._store.save(record)
         except StoreError as error:
@@ -139,7 +141,7 @@ class Registry:
                 continue
             about = {"session_id": record.session_id, "category": record.category}
             try:
-                self._begin(record, self._recordings.go_on)
+                self._begin(record, self._recordings.go_on, Reporter.gone_on_with)
             except RejectedError as rejection:  # it stays stored: the next process may have its model
                 logger.error("session not restored: %s", rejection, extra=about)
             else:
@@ -212,7 +214,12 @@ class Registry:
         for session, stream in entries:
             self._end(session, stream, CloseReason.SHUTDOWN)
 
-    def _begin(self, record: SessionRecord, tape_of: Callable[[SessionRecord], Tape]) -> Session:
+    def _begin(
+        self,
+        record: SessionRecord,
+        tape_of: Callable[[SessionRecord], Tape],
+        first_result: Callable[[Reporter, Pose], Result],
+    ) -> Session:
         engine = self._provider.get(record.category, record.profile)
         tape = tape_of(record)
         session = Session(
@@ -225,6 +232,7 @@ class Registry:
             store=self._store,
             turns=self._turns,
             tape=tape,
+            first_result=first_result,
         )
         stream = self._transport.attach(session)
         try:

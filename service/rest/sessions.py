@@ -104,7 +104,7 @@ async def close_session(session_id: SessionId, service: Service, threads: OnThre
 
 @router.get("/{session_id}/pose", response_model=Result, responses=documented(UnknownSessionError, InvalidRequestError))
 async def get_pose(session: OpenSession) -> Response:
-    """The last result; before the first frame, the pose that was given, with `seq` null."""
+    """The last result; before the first frame, the pose that was given or gone on with, with `seq` null."""
     return Response(session.last_result.to_json(), media_type="application/json")
 
 

@@ -61,6 +61,49 @@ def test_untrusted_poses_are_not_gone_on_from() -> None:
     assert (trusted.seq, trusted.pose.translation[0].tolist()) == (None, [0, 0, 0.5])
 
 
+def test_a_session_that_is_gone_on_with_is_in_doubt_until_a_frame_tells() -> None:
+    store, endpoint = InMemorySessionStore(), free_endpoint()
+    with running("mug", store=store, endpoint=endpoint) as first:
+        session_id = first.open_session()["session_id"]
+        first.post_frame(session_id, f32(blob()), 0)
+        first.provider.networks["mug"].doubtful = True
+        for seq in range(1, 10):
+            result = first.post_frame(session_id, f32(blob()), seq).json()
+        assert result["state"] == "lost"
+    with running("mug", store=store, endpoint=endpoint) as second, zenoh_client(endpoint) as network:
+        assert second.service.readiness.wait_prepared(60)
+        pose = second.http.get(f"/v1/sessions/{session_id}/pose").json()
+        assert (pose["state"], pose["confidence"], pose["seq"]) == ("uncertain", 0, None)
+        assert second.session(session_id)["state"] == "uncertain"
+        assert second.metric('captra_sessions{state="uncertain"}') == 1
+        assert second.metric('captra_sessions{state="tracking"}') == 0
+        events = inbox(network, f"captra/default/sessions/{session_id}/event")
+        opened = second.open_session()
+        assert opened["state"] == "tracking"  # a client has just said where that object is
+        assert second.post_frame(session_id, f32(blob()), 10).json()["state"] == "tracking"
+        event = events.wait_for("state")
+        assert (event["previous_state"], event["state"], event["seq"]) == ("uncertain", "tracking", 10)
+
+
+def test_a_session_that_is_gone_on_with_and_sees_nothing_is_never_called_tracking() -> None:
+    store, endpoint = InMemorySessionStore(), free_endpoint()
+    with running("mug", store=store, endpoint=endpoint) as first:
+        session_id = first.open_session()["session_id"]
+    with running("mug", store=store, endpoint=endpoint) as second, zenoh_client(endpoint) as network:
+        assert second.service.readiness.wait_prepared(60)
+        poses, events = (inbox(network, f"captra/default/sessions/{session_id}/{key}") for key in ("pose", "event"))
+        states = []
+        for seq in range(6):
+            assert second.post_frame(session_id, f32(blob((5, 5, 5))), seq).status_code == 422
+            states.append(second.session(session_id)["state"])
+        assert states[0] == "uncertain"
+        assert states[-1] == "lost"
+        assert "tracking" not in states
+        told = events.wait_for("state")
+        assert (told["previous_state"], told["state"]) == ("uncertain", "lost")
+        assert poses.message(0)["state"] == "lost"
+
+
 def test_session_whose_model_is_missing_stays_stored() -> None:
     store = InMemorySessionStore()
     with running("mug", store=store) as first:
