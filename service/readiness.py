@@ -6,6 +6,7 @@ from service.rejections import HinderedError, NotReadyError
 
 STARTING = "models are being loaded: try again in a few seconds"
 STOPPING = "the service stops: try again when it is back"
+PASSING = (STARTING, STOPPING)
 
 
 class Readiness:
@@ -41,10 +42,20 @@ class Readiness:
             HinderedError: something else stands in the way, which waiting does not change.
         """
         obstacle = self._obstacle
-        if obstacle in (STARTING, STOPPING):
+        if obstacle in PASSING:
             raise NotReadyError(obstacle)
         if obstacle is not None:
             raise HinderedError(obstacle)
+
+    def check_takes_sessions(self) -> None:
+        """Do nothing between start and stop; where something else stands in the way, opening one tells what.
+
+        Raises:
+            NotReadyError: it starts or stops.
+        """
+        obstacle = self._obstacle
+        if obstacle in PASSING:
+            raise NotReadyError(obstacle)
 
     def wait_prepared(self, timeout_s: float | None = None) -> bool:
         """Wait until preparation has ended, well or badly; whether it has."""

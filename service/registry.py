@@ -19,6 +19,8 @@ from service.readiness import STOPPING
 from service.recording.folder import Recordings
 from service.recording.tape import Tape
 from service.rejections import NotReadyError, NotStoredError, RejectedError, TooManySessionsError, UnknownSessionError
+from service.reporter import Reporter
+from service.results import Result
 from service.ros2.options import Ros2Options
 from service.session import Session
 from service.store import SessionRecord, SessionStore, StoreError, TrustedPose
@@ -122,7 +124,7 @@ class Registry:
             secret_sha256=new.secret_sha256,
             options=new.options,
         )
-        session = self._begin(record, self._recordings.start)
+        session = self._begin(record, self._recordings.start, Reporter.given)
         try:
             self._store.save(record)
         except StoreError as error:
@@ -133,11 +135,13 @@ class Registry:
         return session
 
     def restore(self) -> None:
-        """Go on with every stored session, under its id and keys, from its last trusted pose."""
+        """Go on with every stored session that is not open, under its id and keys, from its last trusted pose."""
         for record in self._store.load():
+            if self._is_open(record.session_id):  # it is in this process that it was opened
+                continue
             about = {"session_id": record.session_id, "category": record.category}
             try:
-                self._begin(record, self._recordings.go_on)
+                self._begin(record, self._recordings.go_on, Reporter.gone_on_with)
             except RejectedError as rejection:  # it stays stored: the next process may have its model
                 logger.error("session not restored: %s", rejection, extra=about)
             else:
@@ -210,7 +214,12 @@ class Registry:
         for session, stream in entries:
             self._end(session, stream, CloseReason.SHUTDOWN)
 
-    def _begin(self, record: SessionRecord, tape_of: Callable[[SessionRecord], Tape]) -> Session:
+    def _begin(
+        self,
+        record: SessionRecord,
+        tape_of: Callable[[SessionRecord], Tape],
+        first_result: Callable[[Reporter, Pose], Result],
+    ) -> Session:
         engine = self._provider.get(record.category, record.profile)
         tape = tape_of(record)
         session = Session(
@@ -223,6 +232,7 @@ class Registry:
             store=self._store,
             turns=self._turns,
             tape=tape,
+            first_result=first_result,
         )
         stream = self._transport.attach(session)
         try:
@@ -254,6 +264,10 @@ class Registry:
                 f"{self._max_sessions} sessions are open, which is the limit: "
                 "DELETE one, wait until an idle one expires, or raise CAPTRA_MAX_SESSIONS"
             )
+
+    def _is_open(self, session_id: str) -> bool:
+        with self._lock:
+            return session_id in self._open
 
     def _find(self, session_id: str) -> tuple[Session, Stream]:
         with self._lock:

@@ -167,6 +167,10 @@ class TooManySessionsError(RequestRejectedError, status=429):
     """The service holds as many sessions as it may."""
 
 
+class TooManyFramesError(RequestRejectedError, status=429):
+    """As many frames of the session wait as may."""
+
+
 class NotStoredError(RequestRejectedError, status=503):
     """The session cannot be kept over a restart, so it is not opened."""
 
@@ -180,7 +184,7 @@ class UnknownRecordingError(RequestRejectedError, status=404):
 
 
 class UnfinishedRecordingError(RequestRejectedError, status=409):
-    """The recording is still being written."""
+    """The recording is still being written, or was broken off."""
 
 
 class UnknownSessionError(RequestRejectedError, status=404):

@@ -13,7 +13,7 @@ from service.store import SessionRecord
 
 
 class Reporter:
-    """Writes the results of one session."""
+    """Writes the results of one session; its first one is `given` or `gone_on_with`."""
 
     def __init__(self, record: SessionRecord, category: Category) -> None:
         self._record = record
@@ -31,6 +31,10 @@ class Reporter:
             parts=part_poses(pose, self._category),
             joints=joint_values(pose, self._category),
         )
+
+    def gone_on_with(self, pose: Pose) -> Result:
+        """The last pose that was trusted before the process changed: where the object is now, no frame has told yet."""
+        return replace(self.given(pose), state=State.UNCERTAIN, confidence=0.0)
 
     def unseen(self, last: Result, header: NumberedHeader, state: State, looks: int) -> Result:
         """A frame that showed nothing near the object: the last poses, which nothing bears out any more."""

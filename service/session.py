@@ -3,6 +3,7 @@
 import logging
 import threading
 import time
+from collections.abc import Callable
 from dataclasses import replace
 
 from captra.categories import Category
@@ -59,7 +60,9 @@ class Session:
         store: SessionStore,
         turns: Turns,
         tape: Tape = NO_TAPE,
+        first_result: Callable[[Reporter, Pose], Result] = Reporter.given,
     ) -> None:
+        """`first_result` tells of the pose that it starts from."""
         self.record = record
         """Settings of the session, and the pose it started from."""
         self.liveness = liveness
@@ -83,7 +86,7 @@ class Session:
         self._observers.add(tape)
         self._closed = False
         self._lock = threading.Lock()
-        self._last_result = self._reporter.given(record.trusted.pose)
+        self._last_result = first_result(self._reporter, record.trusted.pose)
 
     @property
     def session_id(self) -> str:
@@ -102,7 +105,7 @@ class Session:
 
     @property
     def last_result(self) -> Result:
-        """The newest result; before the first one, the pose that was given."""
+        """The newest result; before the first one, the pose that it started from."""
         return self._last_result
 
     @property
@@ -256,7 +259,7 @@ class Session:
     def _saw_nothing(self, header: NumberedHeader) -> None:
         """Tell when so many frames held nothing near the object that the track is in doubt, or lost."""
         health, previous = self._tracker.health, self._last_result
-        if health.state is previous.state:
+        if health.state in (State.TRACKING, previous.state):  # a track that was gone on with is in doubt from the start
             return
         self._last_result = self._reporter.unseen(previous, header, health.state, self._tracker.looks)
         self._observers.result(self._last_result)

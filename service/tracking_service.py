@@ -107,8 +107,12 @@ class TrackingService:
         return record.options.tracker_options(self.settings.search_budget_ms)
 
     def _prepare(self) -> None:
+        left = self.recordings.left_behind()
+        self._get_ready()
+        self.recordings.salvage(left)  # gigabytes of it must not keep sessions waiting
+
+    def _get_ready(self) -> None:
         try:
-            self.recordings.salvage()
             self.provider.prepare()
             self.registry.restore()
         except NoModelError as error:

@@ -2,12 +2,14 @@
 
 import base64
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 import orjson
-from mcap.exceptions import EndOfFile, McapError
+from mcap.exceptions import McapError
 from mcap.reader import NonSeekingReader, make_reader
+from mcap.records import Channel, Message, Schema
 from mcap.writer import CompressionType, Writer
 
 from captra.data.recordings import RecordingError
@@ -46,26 +48,31 @@ def messages(path: Path) -> Iterator[tuple[str, Mapping[str, Any]]]:
 
 
 def salvage(path: Path, whole: Path) -> int:
-    """Write what can be read of a file whose writer died into a whole one; the number of its messages.
+    """Write what can be read of a file that ends too early or is damaged into a whole one; how many messages.
 
     Raises:
         RecordingError: nothing can be read of it.
+        OSError: the whole one cannot be written.
     """
     channels: dict[int, int] = {}
     count = 0
     with path.open("rb") as source, whole.open("wb") as target:
         writer = Writer(target, compression=CompressionType.LZ4)
         writer.start(profile="", library="captra")
-        try:
-            for schema, channel, message in NonSeekingReader(source).iter_messages(log_time_order=False):
-                if channel.id not in channels:
-                    number = 0 if schema is None else writer.register_schema(schema.name, schema.encoding, schema.data)
-                    channels[channel.id] = writer.register_channel(channel.topic, channel.message_encoding, number)
-                writer.add_message(channels[channel.id], message.log_time, message.data, message.publish_time)
-                count += 1
-        except (EndOfFile, McapError) as error:
-            if count == 0:
-                raise RecordingError(f"nothing can be read of {path} ({error}): delete it") from error
-        finally:
-            writer.finish()  # type: ignore[no-untyped-call]
+        for schema, channel, message in _readable(source, path.stat().st_size):
+            if channel.id not in channels:
+                number = 0 if schema is None else writer.register_schema(schema.name, schema.encoding, schema.data)
+                channels[channel.id] = writer.register_channel(channel.topic, channel.message_encoding, number)
+            writer.add_message(channels[channel.id], message.log_time, message.data, message.publish_time)
+            count += 1
+        writer.finish()  # type: ignore[no-untyped-call]
+    if count == 0:
+        raise RecordingError(f"nothing can be read of {path}: delete it")
     return count
+
+
+def _readable(source: IO[bytes], size_bytes: int) -> Iterator[tuple[Schema | None, Channel, Message]]:
+    """Messages up to where the file ends or is damaged; none of its records can be larger than the file."""
+    reader = NonSeekingReader(source, validate_crcs=True, record_size_limit=size_bytes)
+    with suppress(Exception):  # damaged bytes are met by whatever decodes them: struct, lz4, the memory
+        yield from reader.iter_messages(log_time_order=False)

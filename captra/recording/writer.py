@@ -4,6 +4,7 @@ import base64
 import threading
 import time
 from collections.abc import Mapping
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -116,11 +117,24 @@ class SessionWriter:
         self._write((TRUTH, orjson.dumps({"stamp_ns": stamp_ns, "parts": parts_of(pose)})))
 
     def close(self) -> None:
-        """Write the index; what comes later is not recorded."""
+        """Write the index; what comes later is not recorded.
+
+        Raises:
+            OSError: the disk does not take it; the file is closed as it is.
+        """
         with self._lock:
             if not self._closed:
                 self._closed = True
-                self._writer.finish()  # type: ignore[no-untyped-call]
+                try:
+                    self._writer.finish()  # type: ignore[no-untyped-call]
+                finally:
+                    self._file.close()
+
+    def abandon(self) -> None:
+        """Close a file that could not be written as it is: after half a chunk there can be no index of what follows."""
+        with self._lock:
+            self._closed = True
+            with suppress(OSError):  # of what was still to be written
                 self._file.close()
 
     def _declare(self, name: str, schema_encoding: str, schema: bytes, topic: str, encoding: str) -> None:

@@ -4,10 +4,10 @@ import logging
 import re
 import threading
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from captra.data.recordings import RecordingError
 from captra.recording.reader import salvage
 from captra.recording.writer import SessionWriter
 from service.opening import body_of
@@ -23,7 +23,7 @@ from service.store import SessionRecord
 
 logger = logging.getLogger(__name__)
 
-WHOLE, UNFINISHED = ".mcap", ".mcap.part"
+WHOLE, UNFINISHED, SALVAGED = ".mcap", ".mcap.part", ".mcap.salvaged"
 NAME = re.compile(r"[A-Za-z0-9_-]{1,120}")
 LEAST_ROOM_BYTES = 2**20
 """A recording that has less room is not begun."""
@@ -58,18 +58,18 @@ class Recordings:
         """How often another recording became whole or one was deleted, in this process."""
         return self._changes
 
-    def salvage(self) -> None:
-        """Make whole what a process that died has left behind."""
-        for path in self._folder.glob(f"*{UNFINISHED}"):
-            whole = self._folder / (path.name.removesuffix(UNFINISHED) + WHOLE)
-            try:
-                count = salvage(path, whole)
-            except (RecordingError, OSError) as error:
-                whole.unlink(missing_ok=True)
-                logger.warning("recording not salvaged: %s", error)
-                continue
-            path.unlink()
-            logger.info("recording salvaged", extra={"recording": whole.stem, "messages": count})
+    def left_behind(self) -> Sequence[Path]:
+        """What a process that died has not finished, before this one begins to record."""
+        try:
+            return sorted(self._folder.glob(f"*{UNFINISHED}"))
+        except OSError:  # sessions go on without
+            logger.exception("folder of recordings cannot be read")
+            return ()
+
+    def salvage(self, left: Sequence[Path]) -> None:
+        """Make whole what was left behind; what cannot be read stays as it is."""
+        for path in left:
+            self._make_whole(path)
 
     def start(self, record: SessionRecord) -> Tape:
         """Begin to record a session, where it wants to be recorded.
@@ -97,7 +97,9 @@ class Recordings:
                     f"{path} cannot be written ({error}): set CAPTRA_RECORD_DIR to a folder that can"
                 ) from error
             self._promised[name] = room
-        return McapTape(writer, body_of(record), room, lambda: self._finished(name), name)
+        return McapTape(
+            writer, body_of(record), room, lambda: self._finished(name), lambda: self._broken_off(path), name
+        )
 
     def go_on(self, record: SessionRecord) -> Tape:
         """Record a restored session into one more file; one that there is no room for goes on without."""
@@ -117,13 +119,13 @@ class Recordings:
 
         Raises:
             UnknownRecordingError: there is none of this name.
-            UnfinishedRecordingError: its session is still open.
+            UnfinishedRecordingError: its session is still open, or it was broken off.
         """
         whole, unfinished = (self._folder / (name + ending) for ending in (WHOLE, UNFINISHED))
         if NAME.fullmatch(name) and whole.is_file():
             return whole
         if NAME.fullmatch(name) and unfinished.is_file():
-            raise UnfinishedRecordingError(f"{name} is still being recorded: close its session first")
+            raise UnfinishedRecordingError(self._unfinished(name))
         raise UnknownRecordingError(f"there is no recording {name[:100]!r}: GET /v1/recordings lists those there are")
 
     def remove(self, name: str) -> None:
@@ -131,11 +133,19 @@ class Recordings:
 
         Raises:
             UnknownRecordingError: there is none of this name.
-            UnfinishedRecordingError: its session is still open.
+            UnfinishedRecordingError: its session is still open, or it was broken off.
         """
         self.path(name).unlink(missing_ok=True)
         with self._lock:
             self._changes += 1
+
+    def _unfinished(self, name: str) -> str:
+        if name in self._promised:
+            return f"{name} is still being recorded: close its session first"
+        return (
+            f"{name} was broken off and is not whole: what can be read of it is saved when the service starts and has "
+            "room for a copy; its log says more"
+        )
 
     def _finished(self, name: str) -> None:
         with self._lock:
@@ -143,6 +153,28 @@ class Recordings:
             path = self._folder / (name + UNFINISHED)
             path.rename(self._folder / (name + WHOLE))
             self._changes += 1
+
+    def _broken_off(self, path: Path) -> None:
+        """Keep what is there of a recording, now or, where there is no room for that, when the service starts again."""
+        self._make_whole(path)
+        with self._lock:
+            self._promised.pop(path.name.removesuffix(UNFINISHED), None)
+
+    def _make_whole(self, path: Path) -> None:
+        name = path.name.removesuffix(UNFINISHED)
+        whole, salvaged = (self._folder / (name + ending) for ending in (WHOLE, SALVAGED))
+        try:
+            count = salvage(path, salvaged)
+            salvaged.replace(path)
+            path.rename(whole)
+        except Exception as error:  # noqa: BLE001 - whatever one file holds, the others are looked at
+            logger.warning("recording not salvaged, its file is left as it is: %s", error, extra={"recording": name})
+            with suppress(OSError):
+                salvaged.unlink(missing_ok=True)
+            return
+        with self._lock:
+            self._changes += 1
+        logger.info("recording salvaged", extra={"recording": name, "messages": count})
 
     def _used_bytes(self) -> int:
         whole = sum(path.stat().st_size for path in self._folder.glob(f"*{WHOLE}"))

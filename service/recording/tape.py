@@ -71,12 +71,22 @@ class McapTape:
     """Records into one file, as long as there is room and the disk keeps up."""
 
     def __init__(
-        self, writer: SessionWriter, body: Mapping[str, Any], limit_bytes: int, on_end: Callable[[], None], name: str
+        self,
+        writer: SessionWriter,
+        body: Mapping[str, Any],
+        limit_bytes: int,
+        on_whole: Callable[[], None],
+        on_broken: Callable[[], None],
+        name: str,
     ) -> None:
-        """`body` would open such a session; `on_end` is called on the writing thread when the file is whole."""
+        """`body` would open such a session; one of the callbacks is called on the writing thread at the end.
+
+        `on_whole` where the file is complete, `on_broken` where it could not be written.
+        """
         self._writer = writer
         self._limit_bytes = limit_bytes
-        self._on_end = on_end
+        self._on_whole = on_whole
+        self._on_broken = on_broken
         self._name = name
         self._waiting: queue.Queue[Callable[[], None] | None] = queue.Queue(MOST_WAITING)
         self._ended = threading.Event()
@@ -127,22 +137,36 @@ class McapTape:
             self._end("the disk does not keep up")
 
     def _run(self) -> None:
-        while not self._ended.is_set():
-            write = self._waiting.get()
-            if write is None:
-                break
-            try:
-                write()
-            except OSError as error:
-                self._end(str(error))
-            if self._writer.size_bytes >= self._limit_bytes:
-                self._end("it has the size that it may have")
-        self._ended.set()
         try:
+            self._write_all()
             self._writer.close()
+        except Exception:  # a full disk, most of all
+            logger.exception("recording broken off", extra={"recording": self._name})
+            self._writer.abandon()
+            self._on_broken()
+        else:
+            self._on_whole()
+
+    def _write_all(self) -> None:
+        try:
+            while not self._ended.is_set():
+                write = self._waiting.get()
+                if write is None:
+                    break
+                self._write(write)
+                if self._writer.size_bytes >= self._limit_bytes:
+                    self._end("it has the size that it may have")
+        finally:
+            self._ended.set()
+
+    def _write(self, write: Callable[[], None]) -> None:
+        try:
+            write()
         except OSError:
-            logger.exception("recording not closed", extra={"recording": self._name})
-        self._on_end()
+            raise
+        except Exception:  # of what was to be written: the file is sound
+            logger.exception("recording ends before its session", extra={"recording": self._name})
+            self._ended.set()
 
     def _end(self, why: str) -> None:
         logger.warning("recording ends before its session: %s", why, extra={"recording": self._name})

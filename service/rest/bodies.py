@@ -1,6 +1,6 @@
 """Reading bodies without trusting their length or their kind."""
 
-from collections.abc import Callable, Coroutine, MutableMapping
+from collections.abc import AsyncIterator, Callable, Coroutine, MutableMapping
 from typing import Any
 
 from fastapi import Request, Response
@@ -24,13 +24,21 @@ async def read_body(request: Request, check_size: Callable[[int], None]) -> byte
             body += chunk
             check_size(len(body))
     except Exception:
-        drained = len(body)
-        async for chunk in chunks:
-            drained += len(chunk)
-            if drained > DRAINED_BYTES:
-                break
+        await _drain(chunks, len(body))
         raise
     return bytes(body)
+
+
+async def discard_body(request: Request) -> None:
+    """Read the body of a refused request and keep none of it."""
+    await _drain(request.stream(), 0)
+
+
+async def _drain(chunks: AsyncIterator[bytes], drained_bytes: int) -> None:
+    async for chunk in chunks:
+        drained_bytes += len(chunk)
+        if drained_bytes > DRAINED_BYTES:
+            break
 
 
 class JsonRoute(APIRoute):

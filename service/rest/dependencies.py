@@ -1,16 +1,21 @@
 """What routes share: the service, its worker threads, a session by its id."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Annotated, TypeVar
 from weakref import WeakKeyDictionary
 
 import anyio
 from fastapi import Depends, Path, Request
 
+from service.rejections import TooManyFramesError
 from service.session import Session
 from service.tracking_service import TrackingService
 
 Answer = TypeVar("Answer")
+
+MOST_FRAMES = 64
+"""Frames of one session that may be in hand or wait by HTTP."""
 
 
 def get_service(request: Request) -> TrackingService:
@@ -29,10 +34,35 @@ class Workers:
     def __init__(self, threads: int = 16) -> None:
         self._limiter = anyio.CapacityLimiter(threads)
         self._turns: WeakKeyDictionary[Session, anyio.Lock] = WeakKeyDictionary()
+        self._places: WeakKeyDictionary[Session, anyio.Semaphore] = WeakKeyDictionary()
+
+    @contextmanager
+    def place(self, session: Session) -> Iterator[None]:
+        """A place among the frames of one session, whose bodies take memory while they wait.
+
+        Raises:
+            TooManyFramesError: all are taken.
+        """
+        places = self._places.setdefault(session, anyio.Semaphore(MOST_FRAMES))
+        try:
+            places.acquire_nowait()
+        except anyio.WouldBlock:
+            raise TooManyFramesError(
+                f"{MOST_FRAMES} frames of session {session.session_id} wait already, which is the limit: "
+                "wait for their results before you send more"
+            ) from None
+        try:
+            yield
+        finally:
+            places.release()
+
+    def turn(self, session: Session) -> anyio.Lock:
+        """What work on one session takes turns by: whoever waits for it takes no thread from others meanwhile."""
+        return self._turns.setdefault(session, anyio.Lock())
 
     async def run_in_turn(self, session: Session, work: Callable[[], Answer]) -> Answer:
-        """The answer of work on one session: whoever waits for that takes no thread from others meanwhile."""
-        async with self._turns.setdefault(session, anyio.Lock()):
+        """The answer of work on one session."""
+        async with self.turn(session):
             return await self.run(work)
 
     async def run(self, work: Callable[[], Answer]) -> Answer:

@@ -21,6 +21,7 @@ from service.rejections import (
     PayloadTooLargeError,
     RepeatedSeqError,
     StaleSeqError,
+    TooManyFramesError,
     TooManyPointsError,
     UnknownEncodingError,
     UnknownSessionError,
@@ -28,16 +29,18 @@ from service.rejections import (
     WrongByteCountError,
     WrongImageSizeError,
 )
-from service.rest.bodies import read_body
-from service.rest.dependencies import OnThread, OpenSession
+from service.rest.bodies import discard_body, read_body
+from service.rest.dependencies import OnThread, OpenSession, Workers
 from service.rest.forms import MULTIPART, WITH_MASK, frame_of
 from service.rest.outputs import Result
 from service.rest.problems import documented
+from service.session import Session
 
 router = APIRouter(prefix="/v1/sessions", tags=["frames"])
 
 FRAME_PROBLEMS = (
     UnknownSessionError,
+    TooManyFramesError,
     InvalidRequestError,
     UnknownEncodingError,
     EmptyCloudError,
@@ -62,6 +65,9 @@ BODY = {
     "content": {encoding: {"schema": {"type": "string", "format": "binary"}} for encoding in ENCODINGS}
     | {MULTIPART: {"schema": WITH_MASK}},
 }
+
+CLIENT_LEFT = 499
+"""Status of an answer that nobody reads."""
 
 Seq = Annotated[int, Query(ge=0, lt=2**64, description="Number of the frame; each higher than the last.")]
 Stamp = Annotated[
@@ -101,6 +107,18 @@ async def post_frame(
     looks: Looks = None,
 ) -> Response:
     """Track the object in one cloud; `Content-Type` names its encoding."""
+    try:
+        with threads.place(session):
+            return await answer_of(session, request, threads, pack_attachment(seq, stamp_ns), box, looks)
+    except TooManyFramesError:
+        await discard_body(request)
+        raise
+
+
+async def answer_of(
+    session: Session, request: Request, threads: Workers, attachment: bytes, box: str | None, looks: int | None
+) -> Response:
+    """The result of the frame in a request, when its turn has come; nothing for a client that left meanwhile."""
     arrived_s = time.perf_counter()
     try:
         payload = await read_body(request, session.codecs.check_size)
@@ -108,6 +126,9 @@ async def post_frame(
         await threads.run_in_turn(session, partial(session.refuse, rejection))
         raise
     sent = await frame_of(payload, request.headers.get("content-type", ""), box)
-    envelope = Envelope(sent.encoding, sent.payload, pack_attachment(seq, stamp_ns) + sent.mask, arrived_s, looks)
-    result = await threads.run_in_turn(session, lambda: session.process(envelope))
+    envelope = Envelope(sent.encoding, sent.payload, attachment + sent.mask, arrived_s, looks)
+    async with threads.turn(session):
+        if await request.is_disconnected():
+            return Response(status_code=CLIENT_LEFT)
+        result = await threads.run(lambda: session.process(envelope))
     return Response(result.to_json(), media_type="application/json")

@@ -26,7 +26,7 @@ class Recording(BaseModel):
 
     name: str = Field(description="Category and session id; further files of a session that went on are numbered.")
     size_bytes: int = Field(description="Of the file.")
-    finished: bool = Field(description="Whether it can be fetched: its session is closed, or it has its full size.")
+    finished: bool = Field(description="Whether it is whole and can be fetched: it is written no more.")
 
 
 class Recordings(BaseModel):

@@ -70,6 +70,7 @@ async def open_session(
     body: NewSession, request: Request, response: Response, service: Service, threads: OnThread
 ) -> OpenedSession:
     """Open a session: say what is tracked and where every part is in the first cloud."""
+    service.readiness.check_takes_sessions()
     check_name_free(body, service.registry.sessions())
     order, secret = order_of(body, service.settings), None
     if clouds_need_secrets(service.settings):
@@ -103,7 +104,7 @@ async def close_session(session_id: SessionId, service: Service, threads: OnThre
 
 @router.get("/{session_id}/pose", response_model=Result, responses=documented(UnknownSessionError, InvalidRequestError))
 async def get_pose(session: OpenSession) -> Response:
-    """The last result; before the first frame, the pose that was given, with `seq` null."""
+    """The last result; before the first frame, the pose that was given or gone on with, with `seq` null."""
     return Response(session.last_result.to_json(), media_type="application/json")
 
 

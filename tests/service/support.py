@@ -38,6 +38,8 @@ I16 = "application/vnd.captra.cloud.i16"
 PROFILE = Profile("realtime", 64, (16, 4), ((2, 2, 2), (2, 2)))
 STAMP_NS = 1_700_000_000_000_000_123
 TIMEOUT_S = 10.0
+PREPARED_S = 120.0
+"""Kernels may have to be compiled first."""
 
 
 class CentreNetworks:
@@ -120,7 +122,8 @@ class Running:
     endpoint: str
 
     def open_session(self, category: str = "mug", **options: Any) -> dict[str, Any]:
-        """POST a session for an object at (0, 0, 0.5) m; returns the answer."""
+        """POST a session for an object at (0, 0, 0.5) m, once the service is prepared; returns the answer."""
+        assert self.service.readiness.wait_prepared(PREPARED_S)
         answer = self.http.post("/v1/sessions", json=session_body(category, **options))
         assert answer.status_code == 201, answer.text
         opened: dict[str, Any] = answer.json()

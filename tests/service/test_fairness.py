@@ -1,14 +1,19 @@
 """No session starves another, however much its own client sends."""
 
+import itertools
 import json
+import socket
 import threading
-from concurrent.futures import ThreadPoolExecutor
+import time
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from contextlib import ExitStack
 
 import httpx
 import zenoh
 
-from tests.service.support import Camera, Running, blob, f32, inbox, running, zenoh_client
+from service.rest.dependencies import MOST_FRAMES
+from tests.service.support import F32, TIMEOUT_S, Camera, Running, blob, f32, inbox, running, zenoh_client
 
 AT_ONCE = 40
 """Requests of one client, more than the service has threads for requests."""
@@ -30,6 +35,66 @@ def test_frames_that_wait_for_one_session_take_no_thread_from_another(service: R
         statuses = {answer.result().status_code for answer in waiting}
     assert statuses <= {httpx.codes.OK, httpx.codes.CONFLICT}  # they overtook each other on their way here
     assert httpx.codes.OK in statuses
+
+
+def test_more_frames_than_may_wait_for_one_session_are_refused(service: Running) -> None:
+    session_id, more = service.open_session()["session_id"], 8
+    networks = service.provider.networks["mug"]
+    networks.gate.clear()
+    with ThreadPoolExecutor(MOST_FRAMES + more) as pool:
+        sent = [pool.submit(service.post_frame, session_id, f32(blob()), seq) for seq in range(MOST_FRAMES + more)]
+        try:
+            refused = [answer.result() for answer in itertools.islice(as_completed(sent, timeout=TIMEOUT_S), more)]
+        finally:
+            networks.gate.set()
+        answers = [answer.result() for answer in sent]
+    assert {(answer.status_code, answer.json()["reason"]) for answer in refused} == {(429, "too-many-frames")}
+    assert [answer.status_code for answer in answers].count(429) == more
+    assert service.metric('captra_requests_rejected_total{reason="too-many-frames"}') == more
+    assert service.session(session_id)["counters"]["received"] == MOST_FRAMES
+    assert service.post_frame(session_id, f32(blob()), MOST_FRAMES + more).status_code == 200
+
+
+def test_frames_of_clients_that_left_are_not_tracked(service: Running) -> None:
+    session_id, left = service.open_session()["session_id"], 3
+    networks, at_work = service.provider.networks["mug"], service.server.server_state
+    networks.gate.clear()
+    with ThreadPoolExecutor(2) as pool:
+        try:
+            first = pool.submit(service.post_frame, session_id, f32(blob()), 0)
+            assert networks.asked.wait(TIMEOUT_S)
+            connections = len(at_work.connections)
+            sockets = [posting(service, session_id, f32(blob()), seq) for seq in range(1, 1 + left)]
+            wait_until(lambda: len(at_work.tasks) == 1 + left)
+            for each in sockets:
+                each.close()
+            wait_until(lambda: len(at_work.connections) == connections)
+            last = pool.submit(service.post_frame, session_id, f32(blob()), 1 + left)
+            wait_until(lambda: len(at_work.tasks) == 2 + left)
+        finally:
+            networks.gate.set()
+        assert first.result().json()["seq"] == 0
+        assert last.result().json()["seq"] == 1 + left
+    assert service.session(session_id)["counters"]["processed"] == 2
+
+
+def posting(service: Running, session_id: str, payload: bytes, seq: int) -> socket.socket:
+    """A client that has sent a frame and does not wait for its result."""
+    url = service.http.base_url
+    client = socket.create_connection((url.host, url.port or 80))
+    client.sendall(
+        f"POST /v1/sessions/{session_id}/frames?seq={seq}&stamp_ns=0 HTTP/1.1\r\nHost: {url.host}\r\n"
+        f"Content-Type: {F32}\r\nContent-Length: {len(payload)}\r\n\r\n".encode()
+        + payload
+    )
+    return client
+
+
+def wait_until(comes_about: Callable[[], bool]) -> None:
+    deadline = time.monotonic() + TIMEOUT_S
+    while not comes_about():
+        assert time.monotonic() < deadline, "it never came about"
+        time.sleep(0.01)
 
 
 def test_every_frame_of_one_session_is_answered_while_another_is_flooded(service: Running) -> None:

@@ -6,9 +6,12 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack
 
 import httpx
+import numpy as np
 import pytest
 
+from captra.geometry import Pose
 from service.liveness import CloseReason
+from service.registry import NewSession
 from service.rejections import NotReadyError
 from service.store import InMemorySessionStore
 from tests.service.support import (
@@ -75,6 +78,49 @@ def test_frames_that_were_doubted_before_a_restart_do_not_count_as_dropped_after
             assert second.session(session_id)["counters"]["dropped"] == dropped
 
 
+def test_a_session_that_is_gone_on_with_is_in_doubt_until_a_frame_tells() -> None:
+    store, endpoint = InMemorySessionStore(), free_endpoint()
+    with running("mug", store=store, endpoint=endpoint) as first:
+        session_id = first.open_session()["session_id"]
+        first.post_frame(session_id, f32(blob()), 0)
+        first.provider.networks["mug"].doubtful = True
+        for seq in range(1, 10):
+            result = first.post_frame(session_id, f32(blob()), seq).json()
+        assert result["state"] == "lost"
+    with running("mug", store=store, endpoint=endpoint) as second, zenoh_client(endpoint) as network:
+        assert second.service.readiness.wait_prepared(60)
+        pose = second.http.get(f"/v1/sessions/{session_id}/pose").json()
+        assert (pose["state"], pose["confidence"], pose["seq"]) == ("uncertain", 0, None)
+        assert second.session(session_id)["state"] == "uncertain"
+        assert second.metric('captra_sessions{state="uncertain"}') == 1
+        assert second.metric('captra_sessions{state="tracking"}') == 0
+        events = inbox(network, f"captra/default/sessions/{session_id}/event")
+        opened = second.open_session()
+        assert opened["state"] == "tracking"  # a client has just said where that object is
+        assert second.post_frame(session_id, f32(blob()), 10).json()["state"] == "tracking"
+        event = events.wait_for("state")
+        assert (event["previous_state"], event["state"], event["seq"]) == ("uncertain", "tracking", 10)
+
+
+def test_a_session_that_is_gone_on_with_and_sees_nothing_is_never_called_tracking() -> None:
+    store, endpoint = InMemorySessionStore(), free_endpoint()
+    with running("mug", store=store, endpoint=endpoint) as first:
+        session_id = first.open_session()["session_id"]
+    with running("mug", store=store, endpoint=endpoint) as second, zenoh_client(endpoint) as network:
+        assert second.service.readiness.wait_prepared(60)
+        poses, events = (inbox(network, f"captra/default/sessions/{session_id}/{key}") for key in ("pose", "event"))
+        states = []
+        for seq in range(6):
+            assert second.post_frame(session_id, f32(blob((5, 5, 5))), seq).status_code == 422
+            states.append(second.session(session_id)["state"])
+        assert states[0] == "uncertain"
+        assert states[-1] == "lost"
+        assert "tracking" not in states
+        told = events.wait_for("state")
+        assert (told["previous_state"], told["state"]) == ("uncertain", "lost")
+        assert poses.message(0)["state"] == "lost"
+
+
 def test_session_whose_model_is_missing_stays_stored() -> None:
     store = InMemorySessionStore()
     with running("mug", store=store) as first:
@@ -84,6 +130,42 @@ def test_session_whose_model_is_missing_stays_stored() -> None:
         second.service.readiness.check()
         assert second.http.get(f"/v1/sessions/{session_id}").status_code == 404
     assert [record.session_id for record in store.load()] == [session_id]
+
+
+def test_no_session_is_opened_before_those_of_the_last_process_go_on() -> None:
+    store, provider = InMemorySessionStore(), CentreProvider("mug")
+    with running("mug", store=store) as first:
+        session_id = first.open_session()["session_id"]
+    provider.loading.clear()
+    with running(provider=provider, store=store) as second:
+        answer = second.http.post("/v1/sessions", json=session_body())
+        assert (answer.status_code, answer.json()["reason"]) == (503, "not-ready")
+        assert [record.session_id for record in store.load()] == [session_id]
+        provider.loading.set()
+        opened = second.open_session()
+        listed = second.http.get("/v1/sessions").json()["sessions"]
+        assert [each["session_id"] for each in listed] == [session_id, opened["session_id"]]
+
+
+def test_session_that_is_open_already_is_not_gone_on_with_once_more() -> None:
+    store, provider = InMemorySessionStore(), CentreProvider("mug")
+    with running("mug", store=store) as first:
+        first.open_session()
+    provider.loading.clear()
+    with running(provider=provider, store=store) as second, zenoh_client(second.endpoint) as network:
+        pose = Pose.from_size(np.eye(3)[None], np.array([[0, 0, 0.5]]), np.full((1, 3), 0.1))
+        order = NewSession("mug", "realtime", "camera", idle_timeout_s=300, pose=pose)
+        session = second.service.registry.open(order)
+        provider.loading.set()
+        assert second.service.readiness.wait_prepared(60)
+        assert second.service.registry.get(session.session_id) is session
+        assert second.metric("captra_sessions_restored_total") == 1
+        poses = inbox(network, f"captra/default/sessions/{session.session_id}/pose")
+        assert second.post_frame(session.session_id, f32(blob()), 0).status_code == 200
+        Camera(network, f"captra/default/sessions/{session.session_id}/cloud").put(f32(blob()), 1)
+        assert [poses.message(index)["seq"] for index in range(2)] == [0, 1]
+        assert second.http.delete(f"/v1/sessions/{session.session_id}").status_code == 204
+        assert not [thread for thread in threading.enumerate() if thread.name.endswith(session.session_id)]
 
 
 def test_closed_and_expired_sessions_are_forgotten() -> None:
@@ -145,6 +227,7 @@ def test_stopping_twice_is_harmless() -> None:
 
 def test_sessions_cannot_be_opened_while_the_service_stops() -> None:
     with running(provider=CentreProvider("mug")) as service:
+        assert service.service.readiness.wait_prepared(60)
         service.service.registry.shut_down()
         answer = service.http.post("/v1/sessions", json=session_body())
         assert (answer.status_code, answer.json()["reason"]) == (503, "not-ready")

@@ -1,5 +1,7 @@
 """Sessions that the service records itself: files are whole, limited, fetched by HTTP, and replay to the last digit."""
 
+import os
+import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -206,10 +208,64 @@ def test_what_a_process_that_died_has_left_behind_is_made_whole(folder: Path) ->
     (folder / "mug_died.mcap.part").write_bytes(content[: len(content) * 2 // 3])
     (folder / "mug_empty.mcap.part").write_bytes(b"")
     with running("mug", record_dir=folder) as service:
-        assert service.service.readiness.wait_prepared(60)
+        wait_until_finished(service, "mug_died")
         assert [(entry["name"], entry["finished"]) for entry in names(service)] == [
             ("mug_died", True), ("mug_empty", False),
         ]  # fmt: skip
     seqs = [body["seq"] for name, body in messages(folder / "mug_died.mcap") if name == "captra.Frame"]
     assert seqs == list(range(len(seqs)))
     assert 0 < len(seqs) < 6
+
+
+def test_a_damaged_file_keeps_neither_sessions_nor_other_files_from_going_on(folder: Path, tmp_path: Path) -> None:
+    database = tmp_path / "sessions.sqlite"
+    with running("mug", record_dir=folder, store=SqliteSessionStore(database)) as service:
+        recorded_id = service.open_session(record=True)["session_id"]
+        for seq in range(40):
+            noise = np.random.default_rng(seq).uniform(-0.05, 0.05, (10_000, 3)) + (0, 0, 0.5)
+            service.post_frame(recorded_id, f32(noise), seq)
+        service.http.delete(f"/v1/sessions/{recorded_id}")
+        session_id = service.open_session()["session_id"]
+    content = (folder / f"mug_{recorded_id}.mcap").read_bytes()
+    half = len(content) // 2
+    for name, damaged in (
+        ("mug_1_zeros", content[:half] + bytes(half)),
+        ("mug_2_nothing", bytes(4096)),
+        ("mug_3_cut", content[:half]),
+    ):
+        (folder / f"{name}.mcap.part").write_bytes(damaged)
+    with running("mug", record_dir=folder, store=SqliteSessionStore(database)) as service:
+        assert service.service.readiness.wait_prepared(60)
+        service.service.readiness.check()
+        assert service.http.get(f"/v1/sessions/{session_id}").status_code == 200
+        wait_until_finished(service, "mug_3_cut")
+        finished = {entry["name"]: entry["finished"] for entry in names(service) if entry["name"].count("_") == 2}
+        assert finished == {"mug_1_zeros": True, "mug_2_nothing": False, "mug_3_cut": True}
+        assert {path.suffix for path in folder.iterdir()} == {".mcap", ".part"}
+    for name in ("mug_1_zeros", "mug_3_cut"):
+        assert any(kind == "captra.Frame" for kind, _ in messages(folder / f"{name}.mcap"))
+
+
+def test_sessions_go_on_before_what_was_left_behind_is_read(folder: Path, tmp_path: Path) -> None:
+    database = tmp_path / "sessions.sqlite"
+    with running("mug", record_dir=folder, store=SqliteSessionStore(database)) as service:
+        session_id = service.open_session(record=True)["session_id"]
+    endless, died = folder / "mug_0.mcap.part", folder / f"mug_{session_id}.mcap"
+    os.mkfifo(endless)  # whoever opens it waits for what somebody writes
+    died.rename(died.with_suffix(".mcap.part"))
+    with running("mug", record_dir=folder, store=SqliteSessionStore(database)) as service:
+        assert service.service.readiness.wait_prepared(60)
+        service.service.readiness.check()
+        assert service.post_frame(session_id, f32(blob()), 0).status_code == 200
+        endless.open("wb").close()
+        wait_until_finished(service, f"mug_{session_id}")
+        service.http.delete(f"/v1/sessions/{session_id}")
+    found = [body["seq"] for name, body in messages(folder / f"mug_{session_id}-2.mcap") if name == "captra.Result"]
+    assert found == [0]
+
+
+def wait_until_finished(service: Running, name: str) -> None:
+    deadline = time.monotonic() + 60
+    while (name, True) not in [(entry["name"], entry["finished"]) for entry in names(service)]:
+        assert time.monotonic() < deadline, f"{name} was never finished"
+        time.sleep(0.02)
