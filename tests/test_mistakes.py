@@ -46,6 +46,7 @@ COMMANDS: dict[str, tuple[tuple[object, ...], str]] = {
     ),
     "no models": (("evaluate", "--models", "."), r"no models in \.: name the folder .* by --models"),
     "no sequences": (("evaluate", *OF_MUG, "."), r"--recordings, or .*--procedural 20"),
+    "nowhere to keep sequences": (("evaluate", *OF_MUG, ".", "--cache", MUG), r"folder that can be written by --cache"),
     "unknown profile": (("evaluate", "--profile", "fast"), r"'realtime', 'paper'"),
     "unknown provider": (("response", *OF_MUG, MUG.parent, "--provider", "tpu"), r"choose one of auto, cpu"),
     "no views": (("train", "--category", "mug"), r"captra generate --category mug"),

@@ -71,14 +71,15 @@ def evaluate(
     from captra.evaluation.workers import workers
     from captra.runtime.cores import available_cores
 
-    console, kept = Console(width=WIDTH), SequenceCache.open(cache)
+    names, console = with_models(category, models), Console(width=WIDTH)
+    kept = SequenceCache.open(cache)
     others = (*(followers.ROBUSTNESS if robustness else ()), *(followers.BASELINES if baseline else ()))
     options = {"recordings": recordings, "procedural": procedural, "frames": frames, "profile": profile}
     options |= {"meshes": meshes} if meshes else {}
     options |= {"provider": provider} if provider != REFERENCE else {}
     report = Report()
     with workers(jobs) as pool:
-        for name in with_models(category, models):
+        for name in names:
             bundle = exported(models, name, profile, provider, max(1, available_cores() // jobs))
             for group, sources in (
                 ("recordings", recordings_in(recordings, name, meshes)),
@@ -161,9 +162,10 @@ def fuse(
     from captra.runtime.bundle import load_manifest, write_manifest
     from captra.runtime.cores import available_cores
 
-    console, kept = Console(width=WIDTH), SequenceCache.open(cache)
+    names, console = with_models(category, models), Console(width=WIDTH)
+    kept = SequenceCache.open(cache)
     with workers(jobs) as pool:
-        for name in with_models(category, models):
+        for name in names:
             networks = exported(models, name, profile, provider, max(1, available_cores() // jobs))
             sources = list(unseen(name, sequences, kept, frames, VALIDATION_SEED))
             best, means = choose(name, partial(measure, networks, sources, pool))
