@@ -17,6 +17,7 @@ MUG = ROOT / "recordings" / "mug__sweethome3d-KatorLegaz__coffee-mug__hand.npz"
 def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """An empty folder, a wide terminal and no settings."""
     monkeypatch.chdir(tmp_path)
+    (tmp_path / "folder.mcap").mkdir()
     monkeypatch.setenv("COLUMNS", "400")
     for name in [name for name in os.environ if name.startswith("CAPTRA_")]:
         monkeypatch.delenv(name)
@@ -61,6 +62,8 @@ COMMANDS: dict[str, tuple[tuple[object, ...], str]] = {
     "no service": (("status", "--url", "http://127.0.0.1:9"), r"start one with `captra serve`"),
     "no address": (("track", MUG, "--url", "robot:8080"), r"write it like http://robot:8080"),
     "nowhere to record": (("track", MUG, "--record", "/dev/null/x.mcap"), r"name a file in a folder that is there"),
+    "recording that nobody knows for one": (("track", MUG, "--record", "mug.npz"), r"name a file that ends in \.mcap"),
+    "folder to record into": (("track", MUG, "--record", "folder.mcap"), r"name a file that ends in \.mcap"),
     "no recording": (("track", ROOT / "README.md"), r"is no recording: .*record or download"),
     "recording that is not there": (("track", "nowhere.npz"), r"does not exist"),
     "keys nowhere": (("certify", "/dev/null/x", "--host", "a", "--client", "b"), r"name a folder that can be"),

@@ -18,7 +18,7 @@ from captra.data.recordings import RecordingError
 from captra.recording.reader import messages
 from captra.recording.writer import SessionWriter
 from clients.cli import track
-from clients.errors import RequestRefusedError
+from clients.errors import ClientError, RequestRefusedError
 from clients.playback import frames
 from clients.replay import answers_in, replay
 from clients.results import parse_result
@@ -196,3 +196,37 @@ def test_several_recordings_go_into_several_files(url: str, tmp_path: Path) -> N
         names = [name for name, _ in messages(tmp_path / f"played__{recording.name}.mcap")]
         assert names.count("captra.Result") == names.count("captra.Truth") == len(recording)
     assert not (tmp_path / "played.mcap").exists()
+
+
+@pytest.mark.parametrize("given", [{"url": "http://127.0.0.1:9"}, {"category": "mugg"}, {"profile": "fast"}])
+def test_a_recording_is_replaced_once_a_session_is_open(url: str, tmp_path: Path, given: dict[str, Any]) -> None:
+    path, recording = tmp_path / "session.mcap", drifting_mug(3)
+    path.write_bytes(b"an hour's work")
+    arguments: dict[str, Any] = {"category": "mug", "pose": recording.init, "url": url, "record": path} | given
+    with pytest.raises(ClientError):
+        open_session(**arguments)
+    assert [(each.name, each.read_bytes()) for each in tmp_path.iterdir()] == [(path.name, b"an hour's work")]
+    with open_session("mug", recording.init, url=url, record=path) as session:
+        list(session.track(frames(recording)))
+    assert [each.name for each in tmp_path.iterdir()] == [path.name]
+    assert [name for name, _ in messages(path)].count("captra.Result") == 3
+
+
+def test_command_that_finds_no_service_leaves_the_recording_there(tmp_path: Path) -> None:
+    played, record = saved(drifting_mug(3), tmp_path), tmp_path / "session.mcap"
+    record.write_bytes(b"an hour's work")
+    with pytest.raises(typer.Exit):
+        track([played], url="http://127.0.0.1:9", record=record)
+    assert record.read_bytes() == b"an hour's work"
+    assert len(list(tmp_path.iterdir())) == 2
+
+
+def test_a_recording_that_is_played_is_not_recorded_over(
+    url: str, recorded: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    content, other = recorded.read_bytes(), saved(drifting_mug(3), recorded.parent)
+    target = recorded.rename(recorded.with_name(f"played__{other.stem}.mcap"))
+    with pytest.raises(typer.Exit):
+        track([target, other], url=url, record=recorded.with_name("played.mcap"))
+    assert "would overwrite" in capsys.readouterr().err
+    assert target.read_bytes() == content
