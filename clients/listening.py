@@ -7,6 +7,7 @@ from collections.abc import Callable, Collection, Sequence
 from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from pathlib import Path
+from threading import Event
 
 import zenoh
 
@@ -124,9 +125,14 @@ class SessionFiles:
 
 
 def listen_to(
-    api: RestApi, sessions: Sequence[str], folder: Path, tell: Callable[[str], None], until_s: float | None = None
+    api: RestApi,
+    sessions: Sequence[str],
+    folder: Path,
+    tell: Callable[[str], None],
+    until_s: float | None = None,
+    stopped: Event | None = None,
 ) -> None:
-    """Record some sessions until they are closed, or all of them, also such as are opened meanwhile, until interrupted.
+    """Record some sessions until they are closed, or all of them, also such as are opened meanwhile, until stopped.
 
     Args:
         api: of the service.
@@ -134,11 +140,13 @@ def listen_to(
         folder: where files go.
         tell: given a line for people whenever a file begins or ends, and where there is nothing to record yet.
         until_s: how long to listen at most, seconds.
+        stopped: set to end it, with every file complete; a moment may pass.
 
     Raises:
         RequestRefusedError: a session does not exist.
         ServiceUnreachableError: the service, or its Zenoh router, is not reached.
     """
+    stopped = stopped or Event()
     end_s = None if until_s is None else time.monotonic() + until_s
     inbox = Inbox[Heard](4096)
     network = api.network()
@@ -153,7 +161,7 @@ def listen_to(
         resources.callback(files.close)
         for session_id in sessions or under_way:
             files.begin(session_id)
-        while (end_s is None or time.monotonic() < end_s) and (files.open or not sessions):
+        while not stopped.is_set() and (end_s is None or time.monotonic() < end_s) and (files.open or not sessions):
             heard = inbox.get(LOOK_AGAIN_S)
             if heard is not None:
                 files.take(heard)
