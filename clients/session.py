@@ -7,6 +7,7 @@ from collections import OrderedDict
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import ExitStack, closing, suppress
 from dataclasses import replace
+from operator import index
 from pathlib import Path
 from threading import Lock
 from types import TracebackType
@@ -164,7 +165,7 @@ class Session:
             self._departures[seq] = time.perf_counter()
             if len(self._departures) > REMEMBERED_FRAMES:
                 self._departures.popitem(last=False)
-            stamp_ns = time.time_ns() if stamp_ns is None else stamp_ns
+            stamp_ns = time.time_ns() if stamp_ns is None else index(stamp_ns)  # also of an array
             self._recorder.frame(packed, seq, stamp_ns)
             self._stream.put(packed, seq, stamp_ns)
         return seq
@@ -178,7 +179,7 @@ class Session:
             SessionClosedError: the session is closed.
         """
         packed = self._packer.pack(observation, mask)
-        stamp_ns = time.time_ns() if stamp_ns is None else stamp_ns
+        stamp_ns = time.time_ns() if stamp_ns is None else index(stamp_ns)  # also of an array
         with self._lock:
             self._check_open()
             seq = self._number()

@@ -21,7 +21,7 @@ from clients.cli import track
 from clients.errors import ClientError, RequestRefusedError
 from clients.playback import frames
 from clients.replay import answers_in, replay
-from clients.results import parse_result
+from clients.results import Result, parse_result
 from clients.session import open_session
 from tests.clients.sequences import DRIFT_M, FRAMES, drifting_mug, saved
 from tests.service.support import Running
@@ -146,6 +146,18 @@ def test_what_is_sent_by_http_is_recorded_too(url: str, tmp_path: Path) -> None:
     pairs = replay(url, path, lambda _: None)
     assert [pair.recorded.seq for pair in pairs] == [0, 1, 2, 4, 5]
     assert all(pair.identical for pair in pairs)
+
+
+def test_stamps_of_an_array_are_recorded(url: str, tmp_path: Path) -> None:
+    path, recording = tmp_path / "stamps.mcap", drifting_mug(2)
+    with open_session("mug", recording.init, url=url, record=path) as session:
+        assert session.put(recording.clouds[0], recording.stamps_ns[0]) == 0
+        answer = session.receive()
+        assert isinstance(answer, Result)
+        assert answer.stamp_ns == recording.stamps_ns[0]
+        assert session.post(recording.clouds[1], recording.stamps_ns[1]).stamp_ns == recording.stamps_ns[1]
+    stamps = [body["stamp_ns"] for name, body in messages(path) if name == "captra.Frame"]
+    assert stamps == recording.stamps_ns.tolist()
 
 
 def test_frames_without_the_object_are_replayed_since_they_count(url: str, tmp_path: Path) -> None:
