@@ -15,7 +15,10 @@ ROUND_TRIPS = 200
 
 def bench(
     recording: Annotated[
-        list[Path] | None, typer.Option(help="Recordings to play, a mug by default; each category needs a bundle.")
+        list[Path] | None,
+        typer.Option(
+            help="Recordings to play, a mug by default; each category needs a bundle.", exists=True, dir_okay=False
+        ),
     ] = None,
     models: Annotated[Path, typer.Option(help="Folder of bundles.")] = Path("models"),
     profile: Annotated[list[str] | None, typer.Option(help="realtime, paper; both by default.")] = None,

@@ -16,6 +16,7 @@ from clients.camera import Camera
 from clients.errors import RequestRefusedError
 from clients.inbox import Inbox
 from clients.overheard import body_of, camera_in, mask_in, parts_now, shown
+from clients.recorder import recording_into
 from clients.rest import RestApi
 from clients.results import parse_result
 from clients.stream import connect
@@ -77,11 +78,13 @@ class SessionFiles:
 
         Raises:
             RequestRefusedError: there is no such session.
+            RecordingError: the file cannot be written.
         """
         state = self._api.session(session_id)
         heard_all = session_id not in self._under_way or state["last_result"]["seq"] is None
         path = self._folder / f"{state['category']}_{session_id}.mcap"
-        writer = self._writers[session_id] = SessionWriter(path)
+        with recording_into(path):
+            writer = self._writers[session_id] = SessionWriter(path)
         self._cameras[session_id] = camera_in(state)
         writer.session(body_of(state, state["started_from"] if heard_all else parts_now(state)))
         self._tell(f"{path}: recording")
@@ -145,6 +148,7 @@ def listen_to(
     Raises:
         RequestRefusedError: a session does not exist.
         ServiceUnreachableError: the service, or its Zenoh router, is not reached.
+        RecordingError: a file cannot be written.
     """
     stopped = stopped or Event()
     end_s = None if until_s is None else time.monotonic() + until_s

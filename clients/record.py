@@ -32,18 +32,15 @@ def record(
     """
     from contextlib import closing, suppress
 
+    from captra.outputs import check_folder
     from clients.console import errors_for_people
     from clients.listening import listen_to
     from clients.rest import RestApi
 
-    out.mkdir(parents=True, exist_ok=True)
-    with (
-        errors_for_people(),
-        closing(RestApi(url)) as api,
-        suppress(KeyboardInterrupt),
-        stopped_by_signals() as stopped,
-    ):
-        listen_to(api, sessions or [], out, typer.echo, seconds, stopped)
+    with errors_for_people(), suppress(KeyboardInterrupt), stopped_by_signals() as stopped:
+        check_folder(out)
+        with closing(RestApi(url)) as api:
+            listen_to(api, sessions or [], out, typer.echo, seconds, stopped)
 
 
 @contextmanager

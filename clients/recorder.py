@@ -26,7 +26,7 @@ class McapRecorder:
             raise RecordingError(f"cannot record into {path}: name a file that ends in {ENDING}")
         self._path = path
         self._partial: Path | None = path.with_name(f".{path.name}.{os.getpid()}")
-        with _told(path):
+        with recording_into(path):
             self._file = SessionWriter(self._partial)
 
     def session(self, body: Mapping[str, Any]) -> None:
@@ -61,7 +61,7 @@ class McapRecorder:
             RecordingError: it cannot have it.
         """
         if self._partial is not None:
-            with _told(self._path):
+            with recording_into(self._path):
                 self._partial.replace(self._path)
             self._partial = None
 
@@ -109,7 +109,8 @@ def recorder_for(path: Path | str | None) -> Recorder:
 
 
 @contextmanager
-def _told(path: Path) -> Iterator[None]:
+def recording_into(path: Path) -> Iterator[None]:
+    """Raises RecordingError where the file cannot be written."""
     try:
         yield
     except OSError as error:

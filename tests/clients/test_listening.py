@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import typer
 from mcap.reader import make_reader
 
 from captra.geometry import Pose
@@ -156,6 +157,15 @@ def test_command_that_is_stopped_completes_its_files(url: str, tmp_path: Path, n
             assert process.stdout.read() == f"session {session.session_id}: complete\n"
     with (tmp_path / f"mug_{session.session_id}.mcap").open("rb") as file:
         assert make_reader(file).get_summary() is not None, "the index is there"
+
+
+def test_command_that_cannot_write_a_file_says_so(url: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    with open_session("mug", drifting_mug().init, url=url) as session:
+        path = tmp_path / f"mug_{session.session_id}.mcap"
+        path.mkdir()
+        with pytest.raises(typer.Exit):
+            record([session.session_id], out=tmp_path, url=url)
+    assert f"cannot record into {path} (Is a directory): name a file" in capsys.readouterr().err
 
 
 def test_secrets_are_not_recorded() -> None:
