@@ -2,6 +2,7 @@
 
 import os
 import re
+import sys
 from pathlib import Path
 
 import pytest
@@ -126,3 +127,16 @@ def test_a_mistyped_variable_is_doubted_and_those_of_clients_are_not(
     said = complaint(capsys, "serve", "--host", "0.0.0.0")
     assert "CAPTRA_PROVIDR is no setting: did you mean provider?" in said
     assert said.count("did you mean") == 1
+
+
+def test_signed_tokens_without_what_reads_them(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    key = tmp_path / "key.pem"
+    key.touch()
+    monkeypatch.setenv("CAPTRA_TOKEN_KEY_FILE", str(key))
+    monkeypatch.delitem(sys.modules, "service.security.tokens", raising=False)
+    monkeypatch.setitem(sys.modules, "jwt", None)
+    said = complaint(capsys, "serve")
+    assert "captra serve: needs pyjwt, which is not installed" in said
+    assert "pip install '.[secure]'" in said
