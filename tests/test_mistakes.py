@@ -42,6 +42,14 @@ COMMANDS: dict[str, tuple[tuple[object, ...], str]] = {
         ("generate", *ONE_VIEW, "--category", "x"),
         r"one of bottle",
     ),
+    "seed below zero": (
+        ("generate", "--category", "mug", "--count", 1, "--seed", -1, "--out", "x"),
+        r"'--seed': .*greater than or equal to 0",
+    ),
+    "nowhere for views": (
+        ("generate", "--category", "mug", "--count", 1, "--seed", 1, "--out", "/dev/null/x"),
+        r"make the folder /dev/null/x .*name one",
+    ),
     "category without model": (
         ("evaluate", "--category", "drawers", "--models", "."),
         r"no model of drawers in \..*captra export",
