@@ -12,6 +12,8 @@ from captra.errors import UserError
 
 GROUP = "captra.commands"
 DISTRIBUTION = "captra"
+DISTRIBUTIONS = {"jwt": "pyjwt", "small_gicp": "small-gicp"}
+"""Of modules that are not called like what brings them: only what is installed tells that by itself."""
 REQUIREMENT_OF_EXTRA = re.compile(r"""(?P<name>[\w.-]+).*\bextra == ["'](?P<extra>[\w-]+)["']""")
 
 
@@ -81,7 +83,8 @@ def explain(error: ModuleNotFoundError, prefer: str = "") -> str | None:
 
     `prefer` is the module of a command: an extra that is called like its package comes first.
     """
-    missing = (error.name or "").partition(".")[0]
+    module = (error.name or "").partition(".")[0]
+    missing = DISTRIBUTIONS.get(module, module)
     extras = extras_with(missing, _requirements())
     if not extras or missing == DISTRIBUTION:  # its own extras name each other; a module it lacks is a defect
         return None

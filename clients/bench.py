@@ -15,13 +15,16 @@ ROUND_TRIPS = 200
 
 def bench(
     recording: Annotated[
-        list[Path] | None, typer.Option(help="Recordings to play, a mug by default; each category needs a bundle.")
+        list[Path] | None,
+        typer.Option(
+            help="Recordings to play, a mug by default; each category needs a bundle.", exists=True, dir_okay=False
+        ),
     ] = None,
     models: Annotated[Path, typer.Option(help="Folder of bundles.")] = Path("models"),
     profile: Annotated[list[str] | None, typer.Option(help="realtime, paper; both by default.")] = None,
     provider: Annotated[list[str] | None, typer.Option(help="cpu, openvino, cuda; auto by default.")] = None,
-    streams: Annotated[list[int] | None, typer.Option(help="Streams side by side; 1 by default.")] = None,
-    frames: Annotated[int, typer.Option(help="Frames timed per stream.")] = 120,
+    streams: Annotated[list[int] | None, typer.Option(help="Streams side by side; 1 by default.", min=1)] = None,
+    frames: Annotated[int, typer.Option(help="Frames timed per stream.", min=1)] = 120,
     scaling: Annotated[bool, typer.Option("--scaling", help="Also how cost grows with points and parts.")] = False,
     hop: Annotated[bool, typer.Option("--hop", help="Also round trips of the Zenoh hop alone.")] = False,
     json_out: Annotated[Path | None, typer.Option("--json", help="Also write the figures as JSON.")] = None,
@@ -40,6 +43,7 @@ def bench(
     from captra.bench.runs import BenchRun, Hop, ScalingRow
     from captra.bench.scaling import scaling as scale
     from captra.data.recordings import load_recording
+    from captra.outputs import check_writable
     from captra.sampling import PROFILES
     from clients.console import errors_for_people
     from clients.demo import COFFEE_MUG
@@ -50,6 +54,7 @@ def bench(
     runs, steps, hops = list[BenchRun](), list[ScalingRow](), list[Hop]()
     console.print(f"{machine.cpu}, {machine.cores} cores, Python {machine.python}, {machine.packages}")
     with errors_for_people():
+        check_writable(json_out)
         played = [load_recording(path) for path in recording or [COFFEE_MUG]]
         for one in provider or ["auto"]:
             peak_gflops = gemm_peak_gflops(one)

@@ -1,5 +1,7 @@
 """`captra track`: plays a recording through a running service."""
 
+from collections.abc import Sequence
+from itertools import product
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -58,6 +60,8 @@ def track(
     from clients.report import advice, means_of, table_of
 
     console, playbacks = Console(), []
+    with errors_for_people():
+        check_apart(record, recordings)
     sessions = [path for path in recordings if is_mcap(path)]
     for path in sessions:
         with errors_for_people(), view_for(console) as view:
@@ -79,6 +83,20 @@ def track(
         playbacks.append(playback)
     if len(playbacks) > 1:
         Console(width=WIDTH).print(means_of(playbacks))
+
+
+def check_apart(record: Path | None, recordings: Sequence[Path]) -> None:
+    """Make sure that nothing which is played is recorded over.
+
+    Raises:
+        RecordingError: a recording would be.
+    """
+    from captra.data.recordings import RecordingError
+
+    targets = [target for path in recordings if (target := file_for(record, path, len(recordings))) is not None]
+    for target, path in product(targets, recordings):
+        if target.exists() and target.samefile(path):
+            raise RecordingError(f"--record {record} would overwrite {path}, which is to be played: name another file")
 
 
 def file_for(record: Path | None, recording: Path, count: int) -> Path | None:

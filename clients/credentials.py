@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Self
 
+from clients.errors import CredentialsError
+
 
 @dataclass(frozen=True)
 class Credentials:
@@ -31,13 +33,31 @@ class Credentials:
 
     @property
     def headers(self) -> dict[str, str]:
-        """Of every request."""
+        """Of every request.
+
+        Raises:
+            CredentialsError: no header can hold the key.
+        """
+        if self.api_key is not None and not (self.api_key.isascii() and self.api_key.isprintable()):
+            raise CredentialsError("CAPTRA_API_KEY holds characters that no key has: copy the key again")
         return {} if self.api_key is None else {"Authorization": f"Bearer {self.api_key}"}
 
     @property
     def trust(self) -> ssl.SSLContext | bool:
-        """Whom HTTPS believes."""
-        return True if self.ca_file is None else ssl.create_default_context(cafile=self.ca_file)
+        """Whom HTTPS believes.
+
+        Raises:
+            CredentialsError: the authority's certificate cannot be read.
+        """
+        if self.ca_file is None:
+            return True
+        try:
+            return ssl.create_default_context(cafile=self.ca_file)
+        except OSError as error:  # also where it is no PEM
+            raise CredentialsError(
+                f"CAPTRA_CA_FILE names {self.ca_file}, which cannot be read as a certificate ({error.strerror}): name "
+                "the authority's PEM file, such as the ca.pem of captra certify, or unset it"
+            ) from error
 
     @property
     def zenoh_entries(self) -> dict[str, str | bool]:

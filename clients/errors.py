@@ -11,6 +11,10 @@ class ServiceUnreachableError(ClientError):
     """Nothing answers at the address."""
 
 
+class CredentialsError(ClientError):
+    """What the environment says to show to a guarded service, or whom to believe, cannot be used."""
+
+
 class RequestRefusedError(ClientError):
     """The service answered a request with problem+json (RFC 9457)."""
 

@@ -7,6 +7,7 @@ from collections.abc import Callable, Collection, Sequence
 from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from pathlib import Path
+from threading import Event
 
 import zenoh
 
@@ -15,6 +16,7 @@ from clients.camera import Camera
 from clients.errors import RequestRefusedError
 from clients.inbox import Inbox
 from clients.overheard import body_of, camera_in, mask_in, parts_now, shown
+from clients.recorder import recording_into
 from clients.rest import RestApi
 from clients.results import parse_result
 from clients.stream import connect
@@ -76,11 +78,13 @@ class SessionFiles:
 
         Raises:
             RequestRefusedError: there is no such session.
+            RecordingError: the file cannot be written.
         """
         state = self._api.session(session_id)
         heard_all = session_id not in self._under_way or state["last_result"]["seq"] is None
         path = self._folder / f"{state['category']}_{session_id}.mcap"
-        writer = self._writers[session_id] = SessionWriter(path)
+        with recording_into(path):
+            writer = self._writers[session_id] = SessionWriter(path)
         self._cameras[session_id] = camera_in(state)
         writer.session(body_of(state, state["started_from"] if heard_all else parts_now(state)))
         self._tell(f"{path}: recording")
@@ -124,9 +128,14 @@ class SessionFiles:
 
 
 def listen_to(
-    api: RestApi, sessions: Sequence[str], folder: Path, tell: Callable[[str], None], until_s: float | None = None
+    api: RestApi,
+    sessions: Sequence[str],
+    folder: Path,
+    tell: Callable[[str], None],
+    until_s: float | None = None,
+    stopped: Event | None = None,
 ) -> None:
-    """Record some sessions until they are closed, or all of them, also such as are opened meanwhile, until interrupted.
+    """Record some sessions until they are closed, or all of them, also such as are opened meanwhile, until stopped.
 
     Args:
         api: of the service.
@@ -134,11 +143,14 @@ def listen_to(
         folder: where files go.
         tell: given a line for people whenever a file begins or ends, and where there is nothing to record yet.
         until_s: how long to listen at most, seconds.
+        stopped: set to end it, with every file complete; a moment may pass.
 
     Raises:
         RequestRefusedError: a session does not exist.
         ServiceUnreachableError: the service, or its Zenoh router, is not reached.
+        RecordingError: a file cannot be written.
     """
+    stopped = stopped or Event()
     end_s = None if until_s is None else time.monotonic() + until_s
     inbox = Inbox[Heard](4096)
     network = api.network()
@@ -153,7 +165,7 @@ def listen_to(
         resources.callback(files.close)
         for session_id in sessions or under_way:
             files.begin(session_id)
-        while (end_s is None or time.monotonic() < end_s) and (files.open or not sessions):
+        while not stopped.is_set() and (end_s is None or time.monotonic() < end_s) and (files.open or not sessions):
             heard = inbox.get(LOOK_AGAIN_S)
             if heard is not None:
                 files.take(heard)

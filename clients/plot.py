@@ -20,7 +20,10 @@ def plot(
     ],
     out: Annotated[Path | None, typer.Option(help="Picture to write. [default: the file's name with .png]")] = None,
     truth: Annotated[
-        Path | None, typer.Option(help="Recording (*.npz) that was played, where the file holds no truth.")
+        Path | None,
+        typer.Option(
+            help="Recording (*.npz) that was played, where the file holds no truth.", exists=True, dir_okay=False
+        ),
     ] = None,
 ) -> None:
     """Draw error (where the truth is known), confidence and latency of a track, with its states behind.
@@ -29,12 +32,18 @@ def plot(
 
         captra plot mug.mcap
     """
+    from matplotlib.backend_bases import FigureCanvasBase
+
     from captra.data.recordings import load_recording
+    from captra.outputs import check_writable
     from clients.console import errors_for_people
     from clients.history import history_of
 
     picture = out or file.with_suffix(".png")
+    if picture.suffix.removeprefix(".") not in FigureCanvasBase.get_supported_filetypes():
+        raise typer.BadParameter(f"--out {picture} is no picture: name a file that ends in .png, .pdf or .svg")
     with errors_for_people():
+        check_writable(picture)
         history = history_of(file, None if truth is None else load_recording(truth))
     draw(history, file.stem, picture)
     typer.echo(f"{picture}: {len(history.results)} results" + ("" if history.truth else ", without truth"))

@@ -46,6 +46,18 @@ class OpenedSession:
     """Ends the attachment of every cloud; empty where the service asks for none."""
 
 
+class Answer(dict[str, Any]):
+    """The body of an answer; raises ServiceUnreachableError for a member that it lacks: a stranger gave it."""
+
+    def __init__(self, url: str, members: Mapping[str, Any]) -> None:
+        """`url` is who gave it."""
+        super().__init__(members)
+        self._url = url
+
+    def __missing__(self, name: str) -> Any:
+        raise stranger(self._url, f"without {name!r}")
+
+
 class RestApi:
     """One HTTP connection to one service."""
 
@@ -54,15 +66,19 @@ class RestApi:
 
         Raises:
             ServiceUnreachableError: this is no address.
+            CredentialsError: what the environment names cannot be used.
         """
         self.url = url or os.environ.get(URL_VARIABLE) or DEFAULT_URL
         if not self.url.startswith(("http://", "https://")):
-            raise ServiceUnreachableError(f"{self.url} is no address of a service: write it like http://robot:8080")
+            raise no_address(self.url)
         self.timeout_s = timeout_s
         credentials = Credentials.from_environment()
-        self._http = httpx.Client(
-            base_url=self.url, timeout=timeout_s, headers=credentials.headers, verify=credentials.trust
-        )
+        try:
+            self._http = httpx.Client(
+                base_url=self.url, timeout=timeout_s, headers=credentials.headers, verify=credentials.trust
+            )
+        except httpx.InvalidURL as error:
+            raise no_address(self.url) from error
 
     def open(self, category: str, pose: Pose, options: Mapping[str, Any]) -> OpenedSession:
         """POST a session; options that are None are left to the service."""
@@ -171,14 +187,40 @@ class RestApi:
     def _call(self, method: str, path: str, **request: Any) -> Mapping[str, Any]:
         try:
             response = self._http.request(method, path, **request)
-        except httpx.TransportError as error:
+        except (httpx.RequestError, UnicodeError) as error:  # the latter of names that no network has
             raise ServiceUnreachableError(
                 f"no captra service answers at {self.url} ({error}): start one with `captra serve`, "
                 f"or say where it is with --url or {URL_VARIABLE}"
             ) from error
-        if response.is_success:
-            return response.json() if response.content else {}
-        raise refusal(response)
+        if not response.is_success:
+            raise refusal(response)
+        if not response.content:
+            return {}
+        members = json_in(response)
+        if not isinstance(members, dict):
+            raise stranger(self.url, response.headers.get("Content-Type", "of no type"))
+        return Answer(self.url, members)
+
+
+def no_address(url: str) -> ServiceUnreachableError:
+    """The exception for an address that is none."""
+    return ServiceUnreachableError(f"{url} is no address of a service: write it like http://robot:8080")
+
+
+def stranger(url: str, answer: str) -> ServiceUnreachableError:
+    """The exception for an answer that no captra service gives."""
+    return ServiceUnreachableError(
+        f"what answers at {url} is no captra service (its answer is {answer}): say where one is with --url or "
+        f"{URL_VARIABLE}"
+    )
+
+
+def json_in(response: httpx.Response) -> Any:
+    """The content of an answer; none where it is no JSON."""
+    try:
+        return response.json()
+    except ValueError:
+        return None
 
 
 def session_body(category: str, pose: Pose, options: Mapping[str, Any]) -> dict[str, Any]:
@@ -217,7 +259,7 @@ def refusal(response: httpx.Response) -> RequestRefusedError:
     """The exception for an answer that is no success, from its problem+json where it has one."""
     problem: Mapping[str, Any] = {}
     if "json" in response.headers.get("Content-Type", ""):
-        body = response.json()
+        body = json_in(response)
         problem = body if isinstance(body, dict) else {}
     detail = problem.get("detail") or problem.get("title") or response.reason_phrase
     return RequestRefusedError(response.status_code, problem.get("reason") or "unknown", str(detail))

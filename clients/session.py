@@ -7,6 +7,7 @@ from collections import OrderedDict
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import ExitStack, closing, suppress
 from dataclasses import replace
+from operator import index
 from pathlib import Path
 from threading import Lock
 from types import TracebackType
@@ -71,7 +72,8 @@ def open_session(
         joint_axes: keeps parts on their joints: axis by joint in the parent part's frame, (3,); joints that are not
             named have the category's axes, so `{}` is enough. Without it the model decides.
         ros2: names in ROS 2, of a service that is a node there.
-        record: file to write everything into that is sent and received, *.mcap; `captra track` replays it.
+        record: file to write everything into that is sent and received, *.mcap; `captra track` replays it. One that is
+            there is replaced once the session is open.
         record_in_service: the service records the session: every frame that it reads, from wherever it comes. The file
             is `<category>_<session_id>` at `GET /v1/recordings`.
         timeout_s: the longest wait for an answer by HTTP, and for the connection by Zenoh.
@@ -79,6 +81,7 @@ def open_session(
     Raises:
         RequestRefusedError: the service does not accept it; `reason` says why.
         ServiceUnreachableError: no service at the address.
+        RecordingError: `record` cannot be written, or is not called *.mcap.
     """
     packer = Packer(get_encoding(encoding), camera, masks)
     options = SessionOptions(
@@ -124,6 +127,7 @@ class Session:
         self._stream.open(api.timeout_s)
         resources.callback(self._stream.close)
         api.wait_for_client(opened.session_id)  # or the first result may go by behind a router that knows nothing yet
+        recorder.keep()
         atexit.register(self.close)  # Zenoh keeps an interpreter from ending whose sessions are still open
         resources.callback(atexit.unregister, self.close)
         self._resources = resources.pop_all()
@@ -161,7 +165,7 @@ class Session:
             self._departures[seq] = time.perf_counter()
             if len(self._departures) > REMEMBERED_FRAMES:
                 self._departures.popitem(last=False)
-            stamp_ns = time.time_ns() if stamp_ns is None else stamp_ns
+            stamp_ns = time.time_ns() if stamp_ns is None else index(stamp_ns)  # also of an array
             self._recorder.frame(packed, seq, stamp_ns)
             self._stream.put(packed, seq, stamp_ns)
         return seq
@@ -175,7 +179,7 @@ class Session:
             SessionClosedError: the session is closed.
         """
         packed = self._packer.pack(observation, mask)
-        stamp_ns = time.time_ns() if stamp_ns is None else stamp_ns
+        stamp_ns = time.time_ns() if stamp_ns is None else index(stamp_ns)  # also of an array
         with self._lock:
             self._check_open()
             seq = self._number()

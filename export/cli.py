@@ -126,12 +126,12 @@ def step(
     with errors_for_people():
         import numpy as np
 
+        from captra.archives import read_arrays
         from captra.runtime.bundle import load_manifest
         from captra.runtime.onnx_networks import OnnxNetworks
         from export.step import check_inputs, profile_for, step_arrays
 
-        with np.load(source, allow_pickle=False) as stored:
-            arrays = dict(stored)
+        arrays = read_arrays(source)
         check_inputs(arrays, len(load_manifest(bundle).parts))
         networks = OnnxNetworks.load(bundle, profile_for(arrays["points"]), provider)
         answers = step_arrays(networks, arrays)

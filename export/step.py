@@ -25,10 +25,10 @@ def profile_for(points: Float32[np.ndarray, "N 3"]) -> Profile:
 
 
 def check_inputs(arrays: Mapping[str, np.ndarray], parts: int) -> None:
-    """Look at names and shapes.
+    """Look at names, shapes and numbers.
 
     Raises:
-        StepInputError: an array is missing or has another shape.
+        StepInputError: an array is missing, has another shape, or holds what is no number; a scale is none.
     """
     if missing := [name for name in INPUTS if name not in arrays]:
         raise StepInputError(f"the input lacks {', '.join(missing)}: it needs {', '.join(INPUTS)}")
@@ -41,6 +41,11 @@ def check_inputs(arrays: Mapping[str, np.ndarray], parts: int) -> None:
         raise StepInputError(
             f"points have shape {points.shape}: at least {PAPER.centroids[0]} rows of x, y, z are needed"
         )
+    for name in INPUTS:
+        if arrays[name].dtype.kind not in "iuf" or not np.isfinite(arrays[name]).all():
+            raise StepInputError(f"{name} holds NaN, infinity or no numbers at all: give numbers, metres")
+    if not (arrays["last_scale"] > 0).all():
+        raise StepInputError(f"last_scale is {arrays['last_scale'].tolist()}: give the diagonals of the boxes, metres")
 
 
 def step_arrays(networks: Networks, arrays: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
@@ -56,7 +61,7 @@ def step_arrays(networks: Networks, arrays: Mapping[str, np.ndarray]) -> dict[st
         new `rotation` (P, 3, 3), `scale` (P,) m and `translation` (P, 3) m.
 
     Raises:
-        StepInputError: an array is missing or has another shape.
+        StepInputError: as by `check_inputs`.
     """
     category = networks.category
     check_inputs(arrays, category.num_parts)

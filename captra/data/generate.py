@@ -9,7 +9,7 @@ import typer
 def generate(
     category: Annotated[str, typer.Option(help="What to show, e.g. mug.")],
     count: Annotated[int, typer.Option(help="Views in all.", min=1)],
-    seed: Annotated[int, typer.Option(help="Views depend on it and on their number only.")],
+    seed: Annotated[int, typer.Option(help="Views depend on it and on their number only.", min=0)],
     out: Annotated[Path, typer.Option(help="Folder of the shards; training reads .campaign/views/CATEGORY/train.")],
     meshes: Annotated[
         Path | None, typer.Option(help="Library of objects with an INDEX.json: those for training are mixed in.")
@@ -31,14 +31,18 @@ def generate(
     import time
 
     from captra.categories import get_category
-    from captra.data.generation import generate_views, write_sources
+    from captra.data.generation import generate_views, keep_for, write_sources
     from captra.data.meshes import load_meshes, shape_source
     from captra.data.views import ViewOptions
+    from captra.outputs import check_folder
 
     name = get_category(category).name
     library = load_meshes(meshes, name, "train") if meshes else ()
     draw_shape = shape_source(name, library, mesh_fraction)
-    write_sources(out, {mesh.name: str(mesh.credit.checked(mesh.name)) for mesh in library})
+    sources = {mesh.name: str(mesh.credit.checked(mesh.name)) for mesh in library}
+    check_folder(out)
+    keep_for(name, out)
+    write_sources(out, sources)
     started = time.monotonic()
 
     def report(done: int) -> None:

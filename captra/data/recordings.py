@@ -1,15 +1,15 @@
 """Recorded sequences with ground truth, as files of compressed arrays."""
 
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
-from zipfile import is_zipfile
 
 import numpy as np
 from jaxtyping import Float32, Int64, UInt8
 
+from captra.archives import ArchiveError, read_arrays
 from captra.categories import Category, get_category
 from captra.errors import UserError
 from captra.geometry import Pose
@@ -64,23 +64,23 @@ def load_recording(path: Path | str) -> Recording:
 
     Raises:
         FileNotFoundError: if there is no such file.
-        RecordingError: if it lacks an array; the message names it.
+        RecordingError: if it is damaged, lacks an array, or its arrays do not go together; the message says which.
         UnknownCategoryError: if its category is none of the known ones.
     """
     path = Path(path)
-    if path.exists() and not is_zipfile(path):
-        raise RecordingError(f"{path} is no recording: it is not an .npz archive; record or download it again")
-    with np.load(path, allow_pickle=False) as stored:
-        missing = [name for name in (*_ARRAYS, *_INIT) if name not in stored.files]
-        if missing:
-            raise RecordingError(f"{path} is no recording: it lacks {', '.join(missing)}; record or download it again")
-        arrays = {name: stored[name] for name in stored.files}
-    category = str(arrays["category"]) if "category" in arrays else path.stem.split("__")[0]
+    try:
+        arrays = read_arrays(path)
+    except ArchiveError as error:
+        raise _none(path, "it is not an .npz archive, or damaged") from error
+    if missing := [name for name in (*_ARRAYS, *_INIT) if name not in arrays]:
+        raise _none(path, f"it lacks {', '.join(missing)}")
+    category = get_category(str(arrays["category"]) if "category" in arrays else path.stem.split("__")[0])
+    _check(path, arrays, category.num_parts)
     offsets, frames = arrays["offsets"], len(arrays["stamp_ns"])
     points = arrays["points"].astype(np.float32) * np.float32(UNIT_M)
     spans = [slice(int(start), int(stop)) for start, stop in pairwise(offsets)]
     return Recording(
-        category=get_category(category),
+        category=category,
         name=path.stem,
         stamps_ns=arrays["stamp_ns"].astype(np.int64),
         clouds=tuple(points[span] for span in spans),
@@ -91,6 +91,41 @@ def load_recording(path: Path | str) -> Recording:
         init=Pose.from_size(*(arrays[name].astype(np.float64) for name in _INIT)),
         joint_values=arrays.get("joint_values", np.zeros((frames, 0), np.float32)).astype(np.float32),
     )
+
+
+def _none(path: Path, why: str) -> RecordingError:
+    return RecordingError(f"{path} is no recording: {why}; record or download it again")
+
+
+def _check(path: Path, arrays: Mapping[str, np.ndarray], parts: int) -> None:
+    """Raises RecordingError where arrays are not of one recording of so many parts."""
+    frames, points = arrays["stamp_ns"].size, len(np.atleast_1d(arrays["points"]))
+    shapes: dict[str, tuple[int, ...]] = {
+        "stamp_ns": (frames,),
+        "offsets": (frames + 1,),
+        "points": (points, 3),
+        "labels": (points,),
+        "rotation": (frames, parts, 3, 3),
+        "translation": (frames, parts, 3),
+        "size": (parts, 3),
+        "init_rotation": (parts, 3, 3),
+        "init_translation": (parts, 3),
+        "init_size": (parts, 3),
+    }
+    if "joint_values" in arrays:
+        shapes["joint_values"] = (frames, np.atleast_1d(arrays["joint_values"]).shape[-1])
+    for name, shape in shapes.items():
+        if arrays[name].shape != shape or arrays[name].dtype.kind not in "iuf":
+            raise _none(
+                path,
+                f"{name} is {arrays[name].dtype} {arrays[name].shape}, where {frames} stamps, {points} points and "
+                f"{parts} part(s) want numbers {shape}",
+            )
+    offsets = arrays["offsets"].astype(np.float64)
+    if (offsets[0], offsets[-1]) != (0, points) or not (np.diff(offsets) >= 0).all():
+        raise _none(path, f"offsets do not rise from 0 to its {points} points")
+    if not all(np.isfinite(arrays[name]).all() for name in _INIT):
+        raise _none(path, "the pose to begin with holds NaN or infinity")
 
 
 def save_recording(path: Path | str, recording: Recording) -> None:

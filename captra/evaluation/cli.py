@@ -21,6 +21,8 @@ ProfileName = Annotated[Literal["realtime", "paper"], typer.Option(metavar="NAME
 Provider = Annotated[str, typer.Option(help="cpu, openvino, cuda or auto.")]
 Cache = Annotated[Path, typer.Option(help="Folder that keeps simulated sequences.")]
 
+Jobs = Annotated[int, typer.Option(help="Sequences tracked at a time, each in a process of its own.", min=1)]
+
 
 class NothingToEvaluateError(UserError):
     """There is no sequence to track."""
@@ -34,18 +36,18 @@ DEFAULT_CACHE = Path(".campaign/sequences")
 def evaluate(
     category: Categories = None,
     recordings: Recordings = DEFAULT_RECORDINGS,
-    procedural: Annotated[int, typer.Option(help="Unseen procedural sequences per category.")] = 0,
+    procedural: Annotated[int, typer.Option(help="Unseen procedural sequences per category.", min=0)] = 0,
     meshes: Annotated[
         Path | None, typer.Option(help="Library of objects with an INDEX.json: those for validation are filmed too.")
     ] = None,
-    frames: Annotated[int, typer.Option(help="Of each sequence that is simulated.")] = 100,
+    frames: Annotated[int, typer.Option(help="Of each sequence that is simulated.", min=2)] = 100,
     models: Models = DEFAULT_MODELS,
     profile: ProfileName = "realtime",
     provider: Provider = "cpu",
     robustness: Annotated[bool, typer.Option("--robustness", help="Also with noise on the poses.")] = False,
     baseline: Annotated[bool, typer.Option("--baseline", help="Also oracle ICP, RANSAC and a fixed scale.")] = False,
     response: Annotated[bool, typer.Option("--response", help="Also the response test, on every sequence.")] = False,
-    jobs: Annotated[int, typer.Option(help="Sequences tracked at a time, each in a process of its own.")] = 1,
+    jobs: Jobs = 1,
     cache: Cache = DEFAULT_CACHE,
     pictures: Annotated[
         Path | None, typer.Option(help="Folder for errors over time and the ten worst moments.")
@@ -69,16 +71,20 @@ def evaluate(
     from captra.evaluation.sequences import procedural as unseen
     from captra.evaluation.table import WIDTH
     from captra.evaluation.workers import workers
+    from captra.outputs import check_folder, check_writable
     from captra.runtime.cores import available_cores
 
-    console, kept = Console(width=WIDTH), SequenceCache.open(cache)
+    check_writable(json_out, markdown_out)
+    check_folder(pictures)
+    names, console = with_models(category, models), Console(width=WIDTH)
+    kept = SequenceCache.open(cache)
     others = (*(followers.ROBUSTNESS if robustness else ()), *(followers.BASELINES if baseline else ()))
     options = {"recordings": recordings, "procedural": procedural, "frames": frames, "profile": profile}
     options |= {"meshes": meshes} if meshes else {}
     options |= {"provider": provider} if provider != REFERENCE else {}
     report = Report()
     with workers(jobs) as pool:
-        for name in with_models(category, models):
+        for name in names:
             bundle = exported(models, name, profile, provider, max(1, available_cores() // jobs))
             for group, sources in (
                 ("recordings", recordings_in(recordings, name, meshes)),
@@ -130,12 +136,12 @@ def response(
 def fuse(
     category: Categories = None,
     sequences: Annotated[int, typer.Option(help="Procedural validation sequences per category.", min=1)] = 24,
-    frames: Annotated[int, typer.Option(help="Of each.")] = 100,
+    frames: Annotated[int, typer.Option(help="Of each.", min=2)] = 100,
     instances: Annotated[int, typer.Option(help="Objects on which lasting errors are measured.", min=2)] = 24,
     models: Models = DEFAULT_MODELS,
     profile: ProfileName = "realtime",
     provider: Provider = "cpu",
-    jobs: Annotated[int, typer.Option(help="Sequences tracked at a time, each in a process of its own.")] = 1,
+    jobs: Jobs = 1,
     cache: Cache = DEFAULT_CACHE,
 ) -> None:
     """Choose on validation sequences how a bundle's opinions on rotations become one, and note it in the manifest.
@@ -161,9 +167,10 @@ def fuse(
     from captra.runtime.bundle import load_manifest, write_manifest
     from captra.runtime.cores import available_cores
 
-    console, kept = Console(width=WIDTH), SequenceCache.open(cache)
+    names, console = with_models(category, models), Console(width=WIDTH)
+    kept = SequenceCache.open(cache)
     with workers(jobs) as pool:
-        for name in with_models(category, models):
+        for name in names:
             networks = exported(models, name, profile, provider, max(1, available_cores() // jobs))
             sources = list(unseen(name, sequences, kept, frames, VALIDATION_SEED))
             best, means = choose(name, partial(measure, networks, sources, pool))

@@ -7,12 +7,11 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from captra.evaluation.cli import DEFAULT_CACHE, DEFAULT_MODELS, Cache, Categories, Models, ProfileName, Provider
+from captra.evaluation.cli import DEFAULT_CACHE, DEFAULT_MODELS, Cache, Categories, Jobs, Models, ProfileName, Provider
 
 if TYPE_CHECKING:
     from captra.evaluation.sequences import SequenceSource
 
-Jobs = Annotated[int, typer.Option(help="Sequences tracked at a time, each in a process of its own.", min=1)]
 Looks = Annotated[int, typer.Option(help="Looks a frame while a track does not hold; 1 never searches.", min=1)]
 DEFAULT_LOOKS = 4
 
@@ -93,12 +92,16 @@ def health(
     from captra.evaluation.table import WIDTH
     from captra.evaluation.watching import Watched
     from captra.evaluation.workers import workers
+    from captra.outputs import check_writable
     from captra.runtime.bundle import load_manifest
     from captra.runtime.cores import available_cores
 
     console, chosen = Console(width=WIDTH), tuple(kinds or INCIDENTS)
     if unknown := [kind for kind in chosen if kind not in INCIDENTS]:
         raise typer.BadParameter(f"{unknown[0]!r} is none of {', '.join(INCIDENTS)}")
+    if picture is not None and picture.suffix != ".png":
+        raise typer.BadParameter(f"--picture {picture} is no PNG: name a file that ends in .png")
+    check_writable(json_out, markdown_out, picture)
     names, threads = with_models(category, models), max(1, available_cores() // jobs)
     found, everything = list[HealthFigures](), list[Watched]()
     measured = list[Rate]()

@@ -1,6 +1,7 @@
 """Reads what a session's file holds, whether its writer closed it or died."""
 
 import base64
+import struct
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from pathlib import Path
@@ -8,7 +9,7 @@ from typing import IO, Any
 
 import orjson
 from mcap.exceptions import McapError
-from mcap.reader import NonSeekingReader, make_reader
+from mcap.reader import McapReader, NonSeekingReader, SeekingReader
 from mcap.records import Channel, Message, Schema
 from mcap.writer import CompressionType, Writer
 
@@ -16,6 +17,18 @@ from captra.data.recordings import RecordingError
 from captra.recording.writer import PAYLOAD_ON, POINT_CLOUD2
 
 MAGIC = b"\x89MCAP0\r\n"
+DAMAGE = (
+    McapError,
+    OSError,
+    ValueError,
+    TypeError,
+    LookupError,
+    OverflowError,
+    RuntimeError,
+    MemoryError,
+    struct.error,
+)
+"""What reading a damaged file raises: bits that flipped may stand in lengths, in compressed data, or in JSON."""
 
 
 def is_mcap(path: Path) -> bool:
@@ -25,15 +38,15 @@ def is_mcap(path: Path) -> bool:
 
 
 def messages(path: Path) -> Iterator[tuple[str, Mapping[str, Any]]]:
-    """Schema name and content of our own messages, in the order of writing.
+    """Schema name and content of our own messages, in the order of writing, up to where a writer died.
 
     Raises:
-        RecordingError: the file is no recording of a session.
+        RecordingError: the file is no recording of a session, is damaged, or ends before its first message.
     """
-    try:
-        with path.open("rb") as file:
+    with path.open("rb") as file:
+        try:
             cloud = b""
-            for schema, _, message in make_reader(file).iter_messages(log_time_order=False):
+            for schema, _, message in records(file):
                 name = "" if schema is None else schema.name
                 if name == POINT_CLOUD2:
                     cloud = message.data
@@ -41,10 +54,42 @@ def messages(path: Path) -> Iterator[tuple[str, Mapping[str, Any]]]:
                     body = orjson.loads(message.data)
                     kept = {"payload": base64.b64encode(cloud).decode()} if PAYLOAD_ON in body else {}
                     yield name, body | kept
-    except (McapError, orjson.JSONDecodeError) as error:
-        raise RecordingError(
-            f"{path} is no whole MCAP recording ({str(error) or 'it ends too early'}): record it again"
-        ) from error
+        except DAMAGE as error:
+            raise RecordingError(
+                f"{path} is no whole MCAP recording ({str(error) or 'it ends too early'}): record it again"
+            ) from error
+
+
+def records(file: IO[bytes]) -> Iterator[tuple[Schema | None, Channel, Message]]:
+    """Everything in a file in the order of writing; one without an index ends where it is cut off.
+
+    Raises:
+        McapError: it is cut off before the first message, or damaged; the decoders raise others for that, of `DAMAGE`.
+    """
+    try:
+        reader = SeekingReader(file)
+        reader.get_summary()
+    except DAMAGE:
+        file.seek(0)
+        yield from until_cut(NonSeekingReader(file))
+    else:
+        yield from reader.iter_messages(log_time_order=False)
+
+
+def until_cut(reader: McapReader) -> Iterator[tuple[Schema | None, Channel, Message]]:
+    """Everything that can be read before the end of a file whose writer died.
+
+    Raises:
+        McapError: there is nothing; the decoders raise others of `DAMAGE`.
+    """
+    empty = True
+    try:
+        for record in reader.iter_messages(log_time_order=False):
+            empty = False
+            yield record
+    except DAMAGE:  # also of a decompressor that has half a chunk
+        if empty:
+            raise
 
 
 def salvage(path: Path, whole: Path) -> int:

@@ -95,6 +95,18 @@ def test_a_module_that_no_extra_brings_is_a_defect(monkeypatch: pytest.MonkeyPat
 
 
 @pytest.mark.parametrize(
+    ("missing", "distribution", "extra"), [("jwt.algorithms", "pyjwt", "secure"), ("small_gicp", "small-gicp", "train")]
+)
+def test_a_module_that_is_called_otherwise_is_found_by_what_brings_it(
+    missing: str, distribution: str, extra: str
+) -> None:
+    told = cli.explain(ModuleNotFoundError("no", name=missing), prefer="service.cli")
+    assert told is not None
+    assert f"needs {distribution}, which is not installed" in told
+    assert f"pip install '.[{extra}]'" in told
+
+
+@pytest.mark.parametrize(
     ("distribution", "extras"), [("torch", ["train", "export"]), ("onnxruntime", ["cpu"]), ("numpy", []), ("", [])]
 )
 def test_extras_are_read_from_the_metadata(distribution: str, extras: list[str]) -> None:

@@ -1,5 +1,8 @@
 """`captra record` hears sessions that others opened, over real sockets."""
 
+import signal
+import subprocess
+import sys
 import threading
 import time
 from contextlib import closing
@@ -7,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import typer
 from mcap.reader import make_reader
 
 from captra.geometry import Pose
@@ -137,6 +141,31 @@ def test_command_waits_for_a_session(url: str, tmp_path: Path, capsys: pytest.Ca
     record(out=tmp_path / "new", seconds=0.1, url=url)
     assert "waiting for one" in capsys.readouterr().out
     assert list((tmp_path / "new").iterdir()) == []
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT])
+def test_command_that_is_stopped_completes_its_files(url: str, tmp_path: Path, number: signal.Signals) -> None:
+    recording = drifting_mug()
+    with open_session("mug", recording.init, url=url) as session:
+        command = [sys.executable, "-m", "captra", "record", "--out", str(tmp_path), "--url", url]
+        with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+            assert process.stdout is not None
+            assert process.stdout.readline().endswith("recording\n")
+            list(session.track(frames(recording)))
+            process.send_signal(number)
+            assert process.wait(LISTENS_S) == 0
+            assert process.stdout.read() == f"session {session.session_id}: complete\n"
+    with (tmp_path / f"mug_{session.session_id}.mcap").open("rb") as file:
+        assert make_reader(file).get_summary() is not None, "the index is there"
+
+
+def test_command_that_cannot_write_a_file_says_so(url: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    with open_session("mug", drifting_mug().init, url=url) as session:
+        path = tmp_path / f"mug_{session.session_id}.mcap"
+        path.mkdir()
+        with pytest.raises(typer.Exit):
+            record([session.session_id], out=tmp_path, url=url)
+    assert f"cannot record into {path} (Is a directory): name a file" in capsys.readouterr().err
 
 
 def test_secrets_are_not_recorded() -> None:

@@ -18,10 +18,10 @@ from captra.data.recordings import RecordingError
 from captra.recording.reader import messages
 from captra.recording.writer import SessionWriter
 from clients.cli import track
-from clients.errors import RequestRefusedError
+from clients.errors import ClientError, RequestRefusedError
 from clients.playback import frames
 from clients.replay import answers_in, replay
-from clients.results import parse_result
+from clients.results import Result, parse_result
 from clients.session import open_session
 from tests.clients.sequences import DRIFT_M, FRAMES, drifting_mug, saved
 from tests.service.support import Running
@@ -148,6 +148,18 @@ def test_what_is_sent_by_http_is_recorded_too(url: str, tmp_path: Path) -> None:
     assert all(pair.identical for pair in pairs)
 
 
+def test_stamps_of_an_array_are_recorded(url: str, tmp_path: Path) -> None:
+    path, recording = tmp_path / "stamps.mcap", drifting_mug(2)
+    with open_session("mug", recording.init, url=url, record=path) as session:
+        assert session.put(recording.clouds[0], recording.stamps_ns[0]) == 0
+        answer = session.receive()
+        assert isinstance(answer, Result)
+        assert answer.stamp_ns == recording.stamps_ns[0]
+        assert session.post(recording.clouds[1], recording.stamps_ns[1]).stamp_ns == recording.stamps_ns[1]
+    stamps = [body["stamp_ns"] for name, body in messages(path) if name == "captra.Frame"]
+    assert stamps == recording.stamps_ns.tolist()
+
+
 def test_frames_without_the_object_are_replayed_since_they_count(url: str, tmp_path: Path) -> None:
     path, recording = tmp_path / "missed.mcap", drifting_mug(12)
     clouds = [recording.clouds[0]] * 12
@@ -196,3 +208,37 @@ def test_several_recordings_go_into_several_files(url: str, tmp_path: Path) -> N
         names = [name for name, _ in messages(tmp_path / f"played__{recording.name}.mcap")]
         assert names.count("captra.Result") == names.count("captra.Truth") == len(recording)
     assert not (tmp_path / "played.mcap").exists()
+
+
+@pytest.mark.parametrize("given", [{"url": "http://127.0.0.1:9"}, {"category": "mugg"}, {"profile": "fast"}])
+def test_a_recording_is_replaced_once_a_session_is_open(url: str, tmp_path: Path, given: dict[str, Any]) -> None:
+    path, recording = tmp_path / "session.mcap", drifting_mug(3)
+    path.write_bytes(b"an hour's work")
+    arguments: dict[str, Any] = {"category": "mug", "pose": recording.init, "url": url, "record": path} | given
+    with pytest.raises(ClientError):
+        open_session(**arguments)
+    assert [(each.name, each.read_bytes()) for each in tmp_path.iterdir()] == [(path.name, b"an hour's work")]
+    with open_session("mug", recording.init, url=url, record=path) as session:
+        list(session.track(frames(recording)))
+    assert [each.name for each in tmp_path.iterdir()] == [path.name]
+    assert [name for name, _ in messages(path)].count("captra.Result") == 3
+
+
+def test_command_that_finds_no_service_leaves_the_recording_there(tmp_path: Path) -> None:
+    played, record = saved(drifting_mug(3), tmp_path), tmp_path / "session.mcap"
+    record.write_bytes(b"an hour's work")
+    with pytest.raises(typer.Exit):
+        track([played], url="http://127.0.0.1:9", record=record)
+    assert record.read_bytes() == b"an hour's work"
+    assert len(list(tmp_path.iterdir())) == 2
+
+
+def test_a_recording_that_is_played_is_not_recorded_over(
+    url: str, recorded: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    content, other = recorded.read_bytes(), saved(drifting_mug(3), recorded.parent)
+    target = recorded.rename(recorded.with_name(f"played__{other.stem}.mcap"))
+    with pytest.raises(typer.Exit):
+        track([target, other], url=url, record=recorded.with_name("played.mcap"))
+    assert "would overwrite" in capsys.readouterr().err
+    assert target.read_bytes() == content

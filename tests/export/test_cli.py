@@ -188,6 +188,10 @@ def test_errors_say_what_to_do_and_leave_nothing_behind(
         ({"last_scale": None}, "the input lacks last_scale"),
         ({"last_scale": np.ones(2)}, "last_scale has shape (2,): the bundle's 1 part(s) need (1,)"),
         ({"points": np.zeros((100, 3))}, "at least 512 rows"),
+        ({"points": np.full((4096, 3), np.nan)}, "points holds NaN, infinity or no numbers"),
+        ({"last_translation": np.full((1, 3), np.inf)}, "last_translation holds NaN, infinity or no numbers"),
+        ({"last_scale": np.array(["a"])}, "last_scale holds NaN, infinity or no numbers"),
+        ({"last_scale": np.zeros(1)}, "last_scale is [0.0]: give the diagonals"),
     ],
 )
 def test_a_step_from_incomplete_arrays(change: dict[str, np.ndarray | None], message: str, tmp_path: Path) -> None:
@@ -202,6 +206,21 @@ def test_a_step_from_incomplete_arrays(change: dict[str, np.ndarray | None], mes
     status, output = run("step", write_bundle("mug", tmp_path / "mug"), tmp_path / "in.npz", tmp_path / "out.npz")
     assert status == 1
     assert message in output.replace("\n", " ")
+    assert not (tmp_path / "out.npz").exists()
+
+
+@pytest.mark.parametrize("content", ["truncated", "array", "text", "empty"])
+def test_a_step_from_another_file(content: str, tmp_path: Path) -> None:
+    source, array, archive = (tmp_path / name for name in ("in.npz", "in.npy", "whole.npz"))
+    np.save(array, np.zeros((4096, 3)))
+    np.savez(archive, points=np.zeros((4096, 3)))
+    contents = {
+        "truncated": archive.read_bytes()[:1000], "array": array.read_bytes(), "text": b"points", "empty": b"",
+    }  # fmt: skip
+    source.write_bytes(contents[content])
+    status, output = run("step", write_bundle("mug", tmp_path / "mug"), source, tmp_path / "out.npz")
+    assert status == 1
+    assert f"Error: {source} is no .npz archive, or damaged" in output.replace("\n", "")
     assert not (tmp_path / "out.npz").exists()
 
 

@@ -6,7 +6,7 @@ import pytest
 
 from captra.data.dataset import ViewDataset, pack, read_shard, write_shard
 from captra.data.generate import generate
-from captra.data.generation import generate_views, write_sources
+from captra.data.generation import OtherViewsError, generate_views, write_sources
 from captra.data.shapes import make_shape
 from captra.data.view import View
 from captra.data.views import ViewOptions
@@ -106,6 +106,26 @@ def test_the_command_writes_shards_and_their_sources(tmp_path: Path, capsys: pyt
     assert len(ViewDataset(tmp_path)) == 2
     assert (tmp_path / "sources.json").read_text() == "{}\n"
     assert "2/2" in capsys.readouterr().out
+
+
+def test_a_folder_of_another_category_stays_as_it_is(tmp_path: Path) -> None:
+    fill(tmp_path, count=2)
+    before = {path.name: path.stat().st_mtime_ns for path in tmp_path.iterdir()}
+    with pytest.raises(OtherViewsError, match=r"holds views of mug.* name another folder by --out, such as .*/can/"):
+        generate("can", count=2, seed=1, out=tmp_path)
+    with pytest.raises(OtherViewsError):
+        generate_views("can", 2, 1, tmp_path, lambda rng: make_shape("can", rng), FEW)
+    assert {path.name: path.stat().st_mtime_ns for path in tmp_path.iterdir()} == before
+
+
+def test_folders_of_before_are_kept_where_they_may_be_of_the_category(tmp_path: Path) -> None:
+    fill(tmp_path, count=2)
+    (tmp_path / "views.json").unlink()
+    with pytest.raises(OtherViewsError, match="holds views of another category, and those of laptop_articulated"):
+        generate("laptop_articulated", count=2, seed=1, out=tmp_path)
+    fill(tmp_path)
+    assert len(ViewDataset(tmp_path)) == 5
+    assert not (tmp_path / "views.json").exists(), "nobody knows"
 
 
 def test_the_credit_of_earlier_views_stays(tmp_path: Path) -> None:

@@ -8,6 +8,7 @@ import pytest
 from captra.data.recordings import RecordingError, load_recording, save_recording
 
 BUNDLED = sorted((Path(__file__).parents[3] / "recordings").glob("*.npz"))
+MUG = next(path for path in BUNDLED if "coffee-mug" in path.name)
 
 
 @pytest.mark.parametrize("path", BUNDLED, ids=lambda path: path.stem)
@@ -23,9 +24,8 @@ def test_bundled_recordings_survive_a_round_trip_bit_for_bit(path: Path, tmp_pat
 
 
 def test_a_recording_is_read_as_it_was_taken() -> None:
-    path = next(path for path in BUNDLED if "coffee-mug" in path.name)
-    recording = load_recording(path)
-    assert recording.name == path.stem
+    recording = load_recording(MUG)
+    assert recording.name == MUG.stem
     assert recording.category.name == "mug"
     assert len(recording) == len(recording.labels) == len(recording.stamps_ns) == 60
     assert recording.clouds[0].dtype == np.float32
@@ -47,6 +47,42 @@ def test_a_file_that_is_no_recording_is_refused(tmp_path: Path) -> None:
         load_recording(path)
     with pytest.raises(FileNotFoundError):
         load_recording(tmp_path / "none.npz")
+
+
+def changed(path: Path, **arrays: np.ndarray) -> Path:
+    """The mug's recording with other arrays."""
+    with np.load(MUG) as stored:
+        np.savez(path, allow_pickle=False, **{**stored, **arrays})
+    return path
+
+
+UNLIKE: dict[str, tuple[dict[str, np.ndarray], str]] = {
+    "stamps": ({"stamp_ns": np.arange(55)}, r"offsets is int64 \(61,\), where 55 stamps.* want numbers \(56,\)"),
+    "labels": ({"labels": np.zeros(7, np.uint8)}, r"labels is uint8 \(7,\)"),
+    "points": ({"points": np.zeros(7, np.int16)}, r"points is int16 \(7,\)"),
+    "parts": ({"size": np.ones((2, 3))}, r"size is float64 \(2, 3\), where .* 1 part\(s\) want numbers \(1, 3\)"),
+    "truth": ({"rotation": np.zeros((59, 1, 3, 3))}, r"rotation is float64 \(59, 1, 3, 3\)"),
+    "joints": ({"joint_values": np.zeros(60)}, r"joint_values is float64 \(60,\)"),
+    "words": ({"init_size": np.full((1, 3), "a")}, r"init_size is <U1 \(1, 3\)"),
+    "offsets": ({"offsets": np.arange(61)}, r"offsets do not rise from 0 to its \d+ points"),
+    "first pose": ({"init_translation": np.full((1, 3), np.nan)}, r"the pose to begin with holds NaN"),
+}
+
+
+@pytest.mark.parametrize("case", UNLIKE)
+def test_arrays_that_do_not_go_together_are_refused(case: str, tmp_path: Path) -> None:
+    arrays, why = UNLIKE[case]
+    with pytest.raises(RecordingError, match=rf"mug__odd\.npz is no recording: {why}.*; record or download it again"):
+        load_recording(changed(tmp_path / "mug__odd.npz", **arrays))
+
+
+@pytest.mark.parametrize("at", [0.25, 0.5, 0.75])
+def test_a_bit_that_flipped_is_told(at: float, tmp_path: Path) -> None:
+    path, content = tmp_path / MUG.name, bytearray(MUG.read_bytes())
+    content[int(at * len(content))] ^= 16
+    path.write_bytes(content)
+    with pytest.raises(RecordingError, match=r"no recording: it is not an \.npz archive, or damaged; record or"):
+        load_recording(path)
 
 
 def test_nothing_is_left_behind_by_saving(tmp_path: Path) -> None:

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import trimesh
 
+from captra.cli import main
 from captra.data.recordings import load_recording, save_recording
 from captra.data.shapes.shape import Shape
 from captra.data.shapes.surfaces import box
@@ -44,11 +45,48 @@ def test_another_generator_or_shape_makes_other_sequences(tmp_path: Path) -> Non
 
 def test_sequences_of_versions_long_gone_are_removed(tmp_path: Path) -> None:
     for index in range(5):
-        (tmp_path / f"version-{index}").mkdir()
+        key = tmp_path / f"{index:016x}" / "0123456789abcdef-900000-100"
+        key.mkdir(parents=True)
+        (key / "mug__procedural-900000__table.npz").touch()
+        (key / ".mug__procedural-900000__table.npz.4711").touch()
     cache = SequenceCache.open(tmp_path)
     left = [path.name for path in tmp_path.iterdir()]
     assert len(left) == VERSIONS_KEPT
     assert cache.version in left
+
+
+OF_OTHERS = (
+    "views/mug/train/seed-0001_shard-00000/points.npy",
+    "runs/mug/run/state.pt",
+    ".git/HEAD",
+    "version-1/0123456789abcdef-900000-100/mug__procedural-900000__table.npz",
+    "0000000000000001/notes.txt",
+    "0000000000000002/0123456789abcdef-900000-100/notes.txt",
+    "0000000000000003/0123456789abcdef-900000-100/more/mug__procedural-900000__table.npz",
+    "0000000000000004/photos/mug__procedural-900000__table.npz",
+    "00000000000000055/0123456789abcdef-900000-100/mug__procedural-900000__table.npz",
+)
+
+
+def test_what_is_not_the_caches_own_stays(tmp_path: Path) -> None:
+    for name in OF_OTHERS:
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text("dear to somebody")
+    linked = tmp_path / "0000000000000006"
+    linked.symlink_to(tmp_path / "views", target_is_directory=True)
+    SequenceCache.open(tmp_path)
+    assert [name for name in OF_OTHERS if not (tmp_path / name).is_file()] == []
+    assert linked.is_dir()
+
+
+@pytest.mark.parametrize("command", ["evaluate", "fuse"])
+def test_nothing_is_touched_where_there_is_no_model(command: str, tmp_path: Path) -> None:
+    versions = {f"{index:016x}" for index in range(3)}
+    for version in versions:
+        (tmp_path / "cache" / version).mkdir(parents=True)
+    with pytest.raises(SystemExit):
+        main([command, "--models", str(tmp_path), "--cache", str(tmp_path / "cache")])
+    assert {path.name for path in (tmp_path / "cache").iterdir()} == versions
 
 
 def write_library(folder: Path) -> None:
