@@ -33,7 +33,7 @@ from service.rest.bodies import discard_body, read_body
 from service.rest.dependencies import OnThread, OpenSession, Workers
 from service.rest.forms import MULTIPART, WITH_MASK, frame_of
 from service.rest.outputs import Result
-from service.rest.problems import documented
+from service.rest.problems import CLIENT_LEFT, documented
 from service.session import Session
 
 router = APIRouter(prefix="/v1/sessions", tags=["frames"])
@@ -65,9 +65,6 @@ BODY = {
     "content": {encoding: {"schema": {"type": "string", "format": "binary"}} for encoding in ENCODINGS}
     | {MULTIPART: {"schema": WITH_MASK}},
 }
-
-CLIENT_LEFT = 499
-"""Status of an answer that nobody reads."""
 
 Seq = Annotated[int, Query(ge=0, lt=2**64, description="Number of the frame; each higher than the last.")]
 Stamp = Annotated[

@@ -9,6 +9,7 @@ from fastapi import FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
 from pydantic import BaseModel, ConfigDict, Field
 from starlette.exceptions import HTTPException
+from starlette.requests import ClientDisconnect
 
 from service.rejections import (
     ForbiddenError,
@@ -24,6 +25,8 @@ from service.rejections import (
 MEDIA_TYPE = "application/problem+json"
 GUARDING = (UnauthorizedError, ForbiddenError)
 TYPE_PREFIX = "urn:captra:problem:"
+CLIENT_LEFT = 499
+"""Status of an answer that nobody reads."""
 
 
 class FieldError(BaseModel):
@@ -80,6 +83,7 @@ def install(app: FastAPI) -> None:
     app.add_exception_handler(RejectedError, _refused)
     app.add_exception_handler(RequestValidationError, _invalid)
     app.add_exception_handler(HTTPException, _http_error)
+    app.add_exception_handler(ClientDisconnect, _left)
     app.add_exception_handler(Exception, _defect)
 
 
@@ -143,6 +147,10 @@ async def _http_error(request: Request, error: Exception) -> Response:
         case _:
             rejection = InvalidRequestError(str(error.detail))  # of the status that the document has for it
     return answer(request, rejection, error.headers)
+
+
+async def _left(request: Request, error: Exception) -> Response:  # noqa: ARG001 - in the middle of its body
+    return Response(status_code=CLIENT_LEFT)
 
 
 async def _defect(request: Request, error: Exception) -> Response:  # noqa: ARG001 - the log has it

@@ -2,6 +2,7 @@
 
 import itertools
 import json
+import logging
 import socket
 import threading
 import time
@@ -10,9 +11,10 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from contextlib import ExitStack
 
 import httpx
+import pytest
 import zenoh
 
-from service.rest.dependencies import MOST_FRAMES
+from service.rest.dependencies import MOST_FRAMES, Workers
 from tests.service.support import F32, TIMEOUT_S, Camera, Running, blob, f32, inbox, running, zenoh_client
 
 AT_ONCE = 40
@@ -58,6 +60,7 @@ def test_more_frames_than_may_wait_for_one_session_are_refused(service: Running)
 def test_frames_of_clients_that_left_are_not_tracked(service: Running) -> None:
     session_id, left = service.open_session()["session_id"], 3
     networks, at_work = service.provider.networks["mug"], service.server.server_state
+    turn = workers_of(service).turn(service.service.registry.get(session_id)).statistics
     networks.gate.clear()
     with ThreadPoolExecutor(2) as pool:
         try:
@@ -65,12 +68,12 @@ def test_frames_of_clients_that_left_are_not_tracked(service: Running) -> None:
             assert networks.asked.wait(TIMEOUT_S)
             connections = len(at_work.connections)
             sockets = [posting(service, session_id, f32(blob()), seq) for seq in range(1, 1 + left)]
-            wait_until(lambda: len(at_work.tasks) == 1 + left)
+            wait_until(lambda: turn().tasks_waiting == left)
             for each in sockets:
                 each.close()
             wait_until(lambda: len(at_work.connections) == connections)
             last = pool.submit(service.post_frame, session_id, f32(blob()), 1 + left)
-            wait_until(lambda: len(at_work.tasks) == 2 + left)
+            wait_until(lambda: turn().tasks_waiting == left + 1)
         finally:
             networks.gate.set()
         assert first.result().json()["seq"] == 0
@@ -78,13 +81,32 @@ def test_frames_of_clients_that_left_are_not_tracked(service: Running) -> None:
     assert service.session(session_id)["counters"]["processed"] == 2
 
 
-def posting(service: Running, session_id: str, payload: bytes, seq: int) -> socket.socket:
-    """A client that has sent a frame and does not wait for its result."""
+def test_a_client_that_leaves_in_the_middle_of_a_frame_is_no_defect(
+    service: Running, caplog: pytest.LogCaptureFixture
+) -> None:
+    session_id, at_work = service.open_session()["session_id"], service.server.server_state
+    assert service.post_frame(session_id, f32(blob()), 0).status_code == 200
+    connections = len(at_work.connections)
+    client = posting(service, session_id, f32(blob()), 1, more=1)
+    wait_until(lambda: len(at_work.tasks) == 1)
+    client.close()
+    wait_until(lambda: len(at_work.connections) == connections and not at_work.tasks)
+    assert service.post_frame(session_id, f32(blob()), 1).json()["seq"] == 1
+    assert not [record for record in caplog.records if record.levelno >= logging.ERROR]
+
+
+def workers_of(service: Running) -> Workers:
+    workers: Workers = service.server.config.app.state.workers  # type: ignore[union-attr]
+    return workers
+
+
+def posting(service: Running, session_id: str, payload: bytes, seq: int, more: int = 0) -> socket.socket:
+    """A client that has sent a frame, but for `more` bytes, and does not wait for its result."""
     url = service.http.base_url
     client = socket.create_connection((url.host, url.port or 80))
     client.sendall(
         f"POST /v1/sessions/{session_id}/frames?seq={seq}&stamp_ns=0 HTTP/1.1\r\nHost: {url.host}\r\n"
-        f"Content-Type: {F32}\r\nContent-Length: {len(payload)}\r\n\r\n".encode()
+        f"Content-Type: {F32}\r\nContent-Length: {len(payload) + more}\r\n\r\n".encode()
         + payload
     )
     return client
