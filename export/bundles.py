@@ -51,7 +51,7 @@ def export_bundle(
         coordinate: CoordinateNet's checkpoint, of the authors or ours.
         rotation: RotationNet's.
         category: of both.
-        precision: of the stored weights: float32, float16, int8, int6, int5 or int4.
+        precision: of the stored weights: float32, float16, int8, int6, int5, int4 or int3.
         out: the bundle's folder; its three files are replaced if they are there.
         rounding: of weights that become whole numbers.
         describe: what to change in the manifest before it is written.
@@ -102,7 +102,7 @@ def replace_network(
     Args:
         name: of the network that is replaced.
         checkpoint: of a network that fits the bundle's category, as `captra train --only` leaves it.
-        precision: of its stored weights: float32, float16, int8, int6, int5 or int4.
+        precision: of its stored weights: float32, float16, int8, int6, int5, int4 or int3.
         bundle: the folder; changed once the new graph agrees with the checkpoint at every profile.
         rounding: of weights that become whole numbers.
         report: told how far ONNX Runtime and PyTorch are apart at each profile.

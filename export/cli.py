@@ -16,11 +16,13 @@ OtherCheckpoint = Annotated[
 ]
 
 
-Precision = Annotated[str, typer.Option(help="How weights are stored: float32, float16, int8, int6, int5 or int4.")]
+Precision = Annotated[
+    str, typer.Option(help="How weights are stored: float32, float16, int8, int6, int5, int4 or int3.")
+]
 Views = Annotated[
     Path | None,
     typer.Option(
-        exists=True, file_okay=False, help="Views, on which the errors of rounding to whole numbers are made up for."
+        exists=True, file_okay=False, help="Views, on which errors of rounding to whole numbers are made up for."
     ),
 ]
 

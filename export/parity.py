@@ -41,6 +41,7 @@ TOLERANCES = {
     "int6": Difference(segmentation=0.8, coordinates=0.15, point_rotation=2.0, mean_rotation_deg=5.0),
     "int5": Difference(segmentation=0.9, coordinates=0.3, point_rotation=2.0, mean_rotation_deg=8.0),
     "int4": Difference(segmentation=1.0, coordinates=0.5, point_rotation=2.0, mean_rotation_deg=12.0),
+    "int3": Difference(segmentation=1.0, coordinates=0.7, point_rotation=2.0, mean_rotation_deg=20.0),
 }
 """By precision of the weights. Single points whose raw rotation is nearly degenerate amplify rounding, and with few
 bits single points at the edge of a part change sides."""

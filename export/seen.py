@@ -17,10 +17,13 @@ from captra.learn.samples import SampleMaker
 from captra.runtime.onnx_networks import feed, rotated_points_of
 from captra.sampling import REALTIME, NoPointsError, build_neighborhoods
 from export.onnx_export import coordinate_model, rotation_model
-from export.rounding import NEAREST, Compensated, Feed, Rounding, second_moments
+from export.products import Feed, coarseness, second_moments
+from export.rounding import NEAREST, Compensated, Rounding
 
 VIEWS = 64
 """So many show every product a hundred times as many inputs as it has."""
+ANSWERED = 12
+"""On so many of them it is seen what rounding one matrix does to the answers."""
 
 RoundingOf = Callable[[CoordinateNet | RotationNet], Rounding]
 """How the weights of a network are rounded."""
@@ -33,7 +36,7 @@ def to_nearest(_network: CoordinateNet | RotationNet) -> Rounding:
 
 @dataclass(frozen=True)
 class MadeUpFor:
-    """Each network's rounding errors are made up for on views, perturbed as in training."""
+    """Each network's rounding errors are made up for on views, perturbed as in training; bits go where they count."""
 
     category: Category
     """Of the networks."""
@@ -65,8 +68,11 @@ class MadeUpFor:
     def __call__(self, network: CoordinateNet | RotationNet) -> Rounding:
         """Made up for on what the network's products are given when it looks at the views."""
         if isinstance(network, CoordinateNet):
-            return Compensated(second_moments(coordinate_model(network, "float32"), self._of_coordinate_net()))
-        return Compensated(second_moments(rotation_model(network, "float32"), self._of_rotation_net()))
+            model, feeds = coordinate_model(network, "float32"), list(self._of_coordinate_net())
+        else:
+            model, feeds = rotation_model(network, "float32"), list(self._of_rotation_net())
+        moments = second_moments(model, feeds)
+        return Compensated(moments, coarseness(model, moments, feeds[:ANSWERED]))
 
     def _of_coordinate_net(self) -> Iterator[Feed]:
         for points in self._clouds():

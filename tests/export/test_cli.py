@@ -169,7 +169,7 @@ def test_a_rotation_net_of_another_category_changes_nothing(tmp_path: Path) -> N
     [
         ("bottle", [], "is not the RotationNet of bottle"),
         ("teapot", [], "unknown category 'teapot'"),
-        ("mug", ["--precision", "int3"], "unknown precision 'int3'"),
+        ("mug", ["--precision", "int2"], "unknown precision 'int2'"),
     ],
 )
 def test_errors_say_what_to_do_and_leave_nothing_behind(

@@ -114,14 +114,17 @@ def test_int8_weights_take_a_quarter_of_the_room_and_answer_nearly_the_same(tmp_
 def test_fewer_bits_take_less_room_once_they_are_compressed() -> None:
     packed = [
         len(zlib.compress(coordinate_model(networks_of("mug")[0], precision).SerializeToString()))
-        for precision in ("int8", "int6", "int5", "int4")
+        for precision in ("int8", "int6", "int5", "int4", "int3")
     ]
     assert packed[1] < 0.85 * packed[0]
     assert packed[2] < 0.75 * packed[0]
     assert packed[3] < 0.65 * packed[0]
+    assert packed[4] < 0.5 * packed[0]
 
 
-@pytest.mark.parametrize(("precision", "largest"), [("int8", 127), ("int6", 31), ("int5", 15), ("int4", 7)])
+@pytest.mark.parametrize(
+    ("precision", "largest"), [("int8", 127), ("int6", 31), ("int5", 15), ("int4", 7), ("int3", 3)]
+)
 @given(values=arrays(np.float32, (16, 3), elements=st.floats(-100, 100, width=32)))
 def test_whole_columns_keep_their_largest_weight_and_miss_the_others_by_half_a_step(
     precision: str, largest: int, values: np.ndarray
@@ -148,9 +151,9 @@ def test_weights_too_large_for_float16_are_refused() -> None:
 
 def test_an_unknown_precision_is_refused() -> None:
     with pytest.raises(
-        PrecisionError, match="unknown precision 'int3': choose one of float32, float16, int8, int6, int5, int4"
+        PrecisionError, match="unknown precision 'int2': choose one of float32, float16, int8, int6, int5, int4, int3"
     ):
-        coordinate_model(networks_of("mug")[0], "int3")
+        coordinate_model(networks_of("mug")[0], "int2")
 
 
 def test_folding_keeps_what_a_layer_computes() -> None:
