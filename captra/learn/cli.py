@@ -39,11 +39,12 @@ def train(
     ] = None,
     only: Annotated[
         NetworkName | None,
-        typer.Option(
-            help="Train one network: RotationNet anew, from the backbone of the CoordinateNet to start from, or "
-            "CoordinateNet further."
-        ),
+        typer.Option(help="Train one network further, from what to start from, and leave the other as it is."),
     ] = None,
+    anew: Annotated[
+        bool,
+        typer.Option("--anew", help="With --only rotation: from the backbone of the CoordinateNet to start from."),
+    ] = False,
     shared_with: Annotated[
         list[str] | None,
         typer.Option(help="Another category whose views are mixed in, so that the networks serve it as well."),
@@ -85,6 +86,7 @@ def train(
         check_untold(
             {
                 "--only": only,
+                "--anew": anew,
                 "--shared-with": shared_with,
                 "--start-from": start_from,
                 "--learning-rate": learning_rate,
@@ -108,11 +110,11 @@ def train(
     check_alike(chosen, map(get_category, shown))
     where = [views_of(name, folder) for name in shown]
     state = folder / "runs" / category / run
-    if only is not None and start_from is None:
-        raise typer.BadParameter(f"--only {only} takes CoordinateNet from somewhere: say --start-from models/NAME")
-    further = start_from is not None and start_from.name == category and only != ROTATION
+    check_start(only, start_from, anew=anew)
+    further = start_from is not None and start_from.name == category and not anew
     rate = learning_rate or (FURTHER_LEARNING_RATE if further else Plan.learning_rate)
-    plan = Plan(samples=samples, seed=seed, learning_rate=rate, networks=(only,) if only else Plan.networks)
+    networks = Plan.networks if only is None else (only,)
+    plan = Plan(samples=samples, seed=seed, learning_rate=rate, networks=networks, anew=anew)
     trainer = Trainer(chosen, ViewDataset(*where), plan, state, provenance(*where))
     if start_from is not None and trainer.progress.samples == 0:
         trainer.start_from(get_category(start_from.name), start_from)
@@ -148,6 +150,18 @@ def check_untold(options: Mapping[str, object]) -> None:
         raise typer.BadParameter(
             f"--all decides that by itself: leave out {' and '.join(told)}, or say --category NAME"
         )
+
+
+def check_start(only: NetworkName | None, start_from: Path | None, *, anew: bool) -> None:
+    """One network alone has to come from somewhere, and RotationNet alone has another one to start from.
+
+    Raises:
+        typer.BadParameter: what is missing is not said.
+    """
+    if only is not None and start_from is None:
+        raise typer.BadParameter(f"--only {only} takes networks from somewhere: say --start-from models/NAME")
+    if anew and only != ROTATION:
+        raise typer.BadParameter("--anew is for RotationNet alone: say --only rotation as well")
 
 
 def views_of(category: str, folder: Path) -> Path:

@@ -19,6 +19,8 @@ class Stretch:
     """Which are trained; the other is that of the bundle that ships."""
     served_by: Mapping[str, str] = field(default_factory=dict)
     """Categories that the run of another serves, by name: it is trained once, on the views of all of them."""
+    anew: bool = False
+    """Whether RotationNet starts from CoordinateNet's backbone, not from its own weights."""
 
     def owner(self, category: str) -> str:
         """The category whose run it is."""
@@ -32,16 +34,18 @@ class Stretch:
 
 BOTH = Stretch("run", (0.25, 0.5, 0.75, 0.9, 1.0), Plan.networks)
 """Both networks; RotationNet soon starts from the little that CoordinateNet has learned."""
-ROTATION_ANEW = Stretch("anew", (0.5, 0.75, 1.0), (ROTATION,), MappingProxyType({"bowl": "bottle", "can": "bottle"}))
+ROUND = MappingProxyType({"bowl": "bottle", "can": "bottle"})
+ROTATION_ANEW = Stretch("anew", (0.5, 0.75, 1.0), (ROTATION,), ROUND, anew=True)
 """RotationNet alone, from all that the best CoordinateNet has learned: where it was better than any other change.
 
 What is round about one axis turns alike, whatever it is called: one network learned more from all three.
 """
 COORDINATE_FURTHER = Stretch("further", (0.5, 0.75, 1.0), (COORDINATE,))
 """CoordinateNet alone, from where it stands, with the learning rate high again: it gained by some 100,000 samples."""
-COURSE = tuple(
-    (stretch, share) for stretch in (BOTH, ROTATION_ANEW, COORDINATE_FURTHER) for share in stretch.milestones
-)
+ROTATION_FURTHER = Stretch("rotation-further", (0.5, 0.75, 1.0), (ROTATION,), ROUND)
+"""Likewise RotationNet, which went on to gain where CoordinateNet no longer did."""
+STRETCHES = (BOTH, ROTATION_ANEW, COORDINATE_FURTHER, ROTATION_FURTHER)
+COURSE = tuple((stretch, share) for stretch in STRETCHES for share in stretch.milestones)
 """All milestones of a category in turn."""
 
 WARM_STARTS: Mapping[str, str] = MappingProxyType(

@@ -49,7 +49,7 @@ class LocalSteps:
         from captra.learn.training import Progress, Trainer
 
         owner, views = stretch.owner(category), [self.folders.views(name) for name in stretch.shown(category)]
-        plan = Plan(samples=self.samples, seed=self.seed, networks=stretch.networks)
+        plan = Plan(samples=self.samples, seed=self.seed, networks=stretch.networks, anew=stretch.anew)
         trainer = Trainer(
             get_category(owner), ViewDataset(*views), plan, self.folders.run(category, stretch), provenance(*views)
         )

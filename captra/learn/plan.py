@@ -62,8 +62,9 @@ class Plan:
     )
     """Few points and small groups first, the mix of what is served last."""
     networks: tuple[NetworkName, ...] = (COORDINATE, ROTATION)
-    """What is trained; RotationNet alone starts anew from the backbone of a CoordinateNet that stays as it is, and
-    CoordinateNet alone goes on."""
+    """What is trained; the other one stays as it is."""
+    anew: bool = False
+    """Whether RotationNet starts from the backbone of the CoordinateNet to start from, not from its own weights."""
     seed: int = 1
     """Of weights, views and perturbations."""
 

@@ -111,7 +111,7 @@ class Trainer:
         else:
             transplant(load_coordinate_net(folder / "coordinate.pt", source), self.coordinate.network)
             self._take_rotation(load_rotation_net(folder / "rotation.pt", source), source)
-        if COORDINATE not in self.plan.networks:
+        if self.plan.anew:
             self.rotation = Learner(RotationNet(self.category.num_parts, self.category.symmetric), self.plan)
             copy_backbone(self.coordinate.network.backbone, self.rotation.network.backbone)
         self.coordinate.restart()

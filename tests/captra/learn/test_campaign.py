@@ -50,7 +50,7 @@ def folders(tmp_path: Path) -> Folders:
 
 
 def test_only_what_scores_better_ships(folders: Folders) -> None:
-    steps = Scripted(folders, [50.0, 70.0, *[60.0] * 9])
+    steps = Scripted(folders, [50.0, 70.0, *[60.0] * 12])
     Campaign(folders, steps, 1000, lambda _: None).run(["can"])
     assert (folders.models / "can" / "manifest.json").read_text() == "run can 500"
     assert [path.name for path in folders.models.iterdir()] == ["can"]
@@ -63,7 +63,7 @@ def test_only_what_scores_better_ships(folders: Folders) -> None:
 def test_what_ships_already_has_to_be_beaten(folders: Folders) -> None:
     (folders.models / "can").mkdir()
     (folders.models / "can" / "manifest.json").write_text("old")
-    Campaign(folders, Scripted(folders, [80.0, *[79.0] * 11]), 1000, lambda _: None).run(["can"])
+    Campaign(folders, Scripted(folders, [80.0, *[79.0] * 14]), 1000, lambda _: None).run(["can"])
     assert (folders.models / "can" / "manifest.json").read_text() == "old"
 
 
@@ -71,7 +71,7 @@ def test_a_stopped_campaign_goes_on_where_it_was(folders: Folders) -> None:
     first = Scripted(folders, [50.0, 51.0], stop_at=750)
     with pytest.raises(KeyboardInterrupt):
         Campaign(folders, first, 1000, lambda _: None).run(["can"])
-    second = Scripted(folders, [40.0, 41.0, 90.0, 91.0, 89.0, 92.0, 88.0, 93.0, 87.0])
+    second = Scripted(folders, [40.0, 41.0, 90.0, 91.0, 89.0, 92.0, 88.0, 93.0, 87.0, 86.0, 85.0, 84.0])
     Campaign(folders, second, 1000, lambda _: None).run(["can"])
     assert [step for step in second.done if "draw" not in step] == [
         "views can",
@@ -86,6 +86,9 @@ def test_a_stopped_campaign_goes_on_where_it_was(folders: Folders) -> None:
         "further can 500",
         "further can 750",
         "further can 1000",
+        "rotation-further can 500",
+        "rotation-further can 750",
+        "rotation-further can 1000",
     ]
     assert (folders.models / "can" / "manifest.json").read_text() == "further can 750"
     third = Scripted(folders, [])
@@ -104,7 +107,7 @@ def test_categories_that_others_start_from_come_first(folders: Folders) -> None:
 
 
 def test_what_another_category_has_trained_already_is_judged_once(folders: Folders) -> None:
-    steps = Scripted(folders, [50.0] * 11 + [60.0] * 5 + [70.0] + [60.0] * 3)
+    steps = Scripted(folders, [50.0] * 14 + [60.0] * 5 + [70.0] + [60.0] * 4)
     Campaign(folders, steps, 1000, lambda _: None).run(["bottle", "can"])
     assert steps.scores == []
     assert folders.run("can", ROTATION_ANEW) == folders.run("bottle", ROTATION_ANEW)

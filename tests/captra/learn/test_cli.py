@@ -47,12 +47,26 @@ def test_one_network_alone_has_to_start_from_something(tmp_path: Path) -> None:
     assert "--start-from models/NAME" in output
 
 
+def test_rotation_net_alone_starts_anew(tmp_path: Path) -> None:
+    fill(tmp_path, "bottle")
+    bundle = write_bundle("bottle", tmp_path / "bottle")
+    status, output = run("--category", "bottle", "--folder", tmp_path, "--start-from", bundle, "--anew")
+    assert status == 2
+    assert "say --only rotation as well" in output
+
+
 @pytest.mark.parametrize(
     "option",
-    [("--only", "rotation"), ("--shared-with", "can"), ("--start-from", "models/mug"), ("--learning-rate", "1e-4")],
+    [
+        ("--only", "rotation"),
+        ("--anew",),
+        ("--shared-with", "can"),
+        ("--start-from", "models/mug"),
+        ("--learning-rate", "1e-4"),
+    ],
     ids=lambda option: option[0],
 )
-def test_a_campaign_is_not_told_what_it_plans_by_itself(option: tuple[str, str], tmp_path: Path) -> None:
+def test_a_campaign_is_not_told_what_it_plans_by_itself(option: tuple[str, ...], tmp_path: Path) -> None:
     status, output = run("--all", "--folder", tmp_path / "campaign", *option)
     assert status == 2
     assert option[0] in output

@@ -5,7 +5,7 @@ import torch
 
 from captra.learn import local_steps
 from captra.learn.campaign import Folders, replace_bundle
-from captra.learn.course import BOTH, COORDINATE_FURTHER, ROTATION_ANEW
+from captra.learn.course import BOTH, COORDINATE_FURTHER, ROTATION_ANEW, ROTATION_FURTHER
 from captra.learn.local_steps import LocalSteps, captra
 
 
@@ -27,7 +27,8 @@ def test_the_steps_lead_from_nothing_to_a_bundle(tmp_path: Path, monkeypatch: py
     for name in ("bottle", "bowl"):
         steps.make_views(name)
     monkeypatch.setattr(local_steps, "captra", briefly)
-    for stretch, network in ((ROTATION_ANEW, "rotation.onnx"), (COORDINATE_FURTHER, "coordinate.onnx")):
+    stretches = (ROTATION_ANEW, COORDINATE_FURTHER, ROTATION_FURTHER)
+    for stretch, network in zip(stretches, ("rotation.onnx", "coordinate.onnx", "rotation.onnx"), strict=True):
         assert steps.train("can", stretch, 18) == 18
         steps.export("can", stretch)
         changed = {path.name for path in folders.candidate("can").iterdir() if path.read_bytes() != before[path.name]}

@@ -137,7 +137,7 @@ def test_a_new_run_can_start_from_another_category(tmp_path: Path) -> None:
 def test_rotation_net_can_be_trained_anew_beside_a_coordinate_net_that_stays(tmp_path: Path) -> None:
     train(tmp_path / "mug")
     mug = get_category("mug")
-    trainer = Trainer(mug, FewViews("mug"), replace(PLAN, networks=(ROTATION,)), tmp_path / "anew")
+    trainer = Trainer(mug, FewViews("mug"), replace(PLAN, networks=(ROTATION,), anew=True), tmp_path / "anew")
     head, last = "heads.0.layers.0.weight", "backbone.last.weight"
     trainer.start_from(mug, tmp_path / "mug")
     before, started = (copy.deepcopy(one.network.state_dict()) for one in (trainer.coordinate, trainer.rotation))
@@ -165,6 +165,20 @@ def test_coordinate_net_can_be_trained_on_beside_a_rotation_net_that_stays(tmp_p
     torch.testing.assert_close(trainer.rotation.network.state_dict(), before)
     assert not torch.equal(trainer.coordinate.network.state_dict()[last], started[last])
     assert not any(name.startswith("rotation/") for of_step in terms for name in of_step)
+
+
+def test_rotation_net_can_be_trained_on_from_its_own_weights(tmp_path: Path) -> None:
+    train(tmp_path / "mug")
+    mug = get_category("mug")
+    trainer = Trainer(mug, FewViews("mug"), replace(PLAN, networks=(ROTATION,)), tmp_path / "further")
+    trainer.start_from(mug, tmp_path / "mug")
+    started = copy.deepcopy(trainer.rotation.network.state_dict())
+    torch.testing.assert_close(started, dict(load_rotation_net(tmp_path / "mug" / "rotation.pt", mug).state_dict()))
+    before = copy.deepcopy(trainer.coordinate.network.state_dict())
+    trainer.run(lambda _, of_step: None)
+    torch.testing.assert_close(trainer.coordinate.network.state_dict(), before)
+    head = "heads.0.layers.0.weight"
+    assert not torch.equal(trainer.rotation.network.state_dict()[head], started[head])
 
 
 def test_learning_rate_halves_evenly_and_stages_follow_each_other() -> None:
