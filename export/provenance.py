@@ -42,10 +42,10 @@ def with_network(training: Training, name: NetworkName, checkpoint: Path) -> Tra
         CheckpointError: it is no checkpoint.
     """
     info = training_info(checkpoint)
-    meshes = tuple(MeshCredit(**mesh) for mesh in info.get("meshes", ()))
+    meshes = (*training.meshes, *(MeshCredit(**mesh) for mesh in info.get("meshes", ())))
     return replace(
         training,
-        meshes=tuple(dict.fromkeys((*training.meshes, *meshes))),
+        meshes=tuple({mesh.name: mesh for mesh in meshes}.values()),
         details={**training.details, name: _without(info, *TOLD_ELSEWHERE)},
     )
 

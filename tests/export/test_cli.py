@@ -7,7 +7,7 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
-from captra.runtime.bundle import COORDINATE, ROTATION, Score, load_manifest, verify, write_manifest
+from captra.runtime.bundle import COORDINATE, ROTATION, MeshCredit, Score, load_manifest, verify, write_manifest
 from captra.sampling import InputSampling
 from export.cli import export, replace_network, step
 from tests import reference
@@ -108,7 +108,9 @@ def test_another_rotation_net_leaves_the_rest_and_takes_away_what_was_measured(t
     )
     write_manifest(bundle, before)
     coordinate = (bundle / COORDINATE).read_bytes()
-    info = {"samples": 77, "seed": 5, "meshes": [{"name": "cup", "license": "CC0", "attribution": "A. Nother"}]}
+    cup = {"name": "cup", "license": "CC0", "attribution": "A. Nother"}
+    write_manifest(bundle, replace(before, training=replace(before.training, meshes=(MeshCredit("cup", "CC0", "?"),))))
+    info: dict[str, object] = {"samples": 77, "seed": 5, "meshes": [cup]}
     _, rotation = write_checkpoints("mug", tmp_path, info)
     status, output = run("replace-network", "--rotation", rotation, "--bundle", bundle)
     assert status == 0, output
@@ -120,7 +122,7 @@ def test_another_rotation_net_leaves_the_rest_and_takes_away_what_was_measured(t
     assert (after.precision, after.rotation_fusion, after.mirror) == ("float16 and int8", "mean", "left-and-right")
     assert (after.scores, after.health, after.found_error) == ((), {}, {})
     assert after.training.details["rotation"] == {"samples": 77, "seed": 5}
-    assert [mesh.name for mesh in after.training.meshes] == ["cup"]
+    assert after.training.meshes == (MeshCredit(**cup),), "who made it is known by now"
     assert sorted(path.name for path in tmp_path.iterdir()) == ["coordinate.pt", "mug", "rotation.pt"]
 
 
