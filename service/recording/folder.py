@@ -51,7 +51,7 @@ class Recordings:
         self._max_total_bytes = max_total_bytes
         self._promised: dict[str, int] = {}  # how large the recordings at work may become
         self._changes = 0
-        self._lock = threading.Lock()
+        self._lock = threading.RLock()
 
     @property
     def changes(self) -> int:
@@ -111,8 +111,9 @@ class Recordings:
 
     def all(self) -> Sequence[Recorded]:
         """Every recording, by name."""
-        paths = [*self._folder.glob(f"*{WHOLE}"), *self._folder.glob(f"*{UNFINISHED}")]
-        return sorted((recorded(path) for path in paths if path.is_file()), key=lambda each: each.name)
+        with self._lock:  # or one that becomes whole meanwhile would be overlooked under both names
+            paths = [*self._folder.glob(f"*{WHOLE}"), *self._folder.glob(f"*{UNFINISHED}")]
+            return sorted((recorded(path) for path in paths if path.is_file()), key=lambda each: each.name)
 
     def path(self, name: str) -> Path:
         """The file of a whole recording.
@@ -122,10 +123,11 @@ class Recordings:
             UnfinishedRecordingError: its session is still open, or it was broken off.
         """
         whole, unfinished = (self._folder / (name + ending) for ending in (WHOLE, UNFINISHED))
-        if NAME.fullmatch(name) and whole.is_file():
-            return whole
-        if NAME.fullmatch(name) and unfinished.is_file():
-            raise UnfinishedRecordingError(self._unfinished(name))
+        with self._lock:
+            if NAME.fullmatch(name) and whole.is_file():
+                return whole
+            if NAME.fullmatch(name) and unfinished.is_file():
+                raise UnfinishedRecordingError(self._unfinished(name))
         raise UnknownRecordingError(f"there is no recording {name[:100]!r}: GET /v1/recordings lists those there are")
 
     def remove(self, name: str) -> None:
@@ -135,8 +137,9 @@ class Recordings:
             UnknownRecordingError: there is none of this name.
             UnfinishedRecordingError: its session is still open, or it was broken off.
         """
-        self.path(name).unlink(missing_ok=True)
+        path = self.path(name)
         with self._lock:
+            path.unlink(missing_ok=True)
             self._changes += 1
 
     def _unfinished(self, name: str) -> str:
@@ -165,15 +168,15 @@ class Recordings:
         whole, salvaged = (self._folder / (name + ending) for ending in (WHOLE, SALVAGED))
         try:
             count = salvage(path, salvaged)
-            salvaged.replace(path)
-            path.rename(whole)
+            with self._lock:
+                salvaged.replace(path)
+                path.rename(whole)
+                self._changes += 1
         except Exception as error:  # noqa: BLE001 - whatever one file holds, the others are looked at
             logger.warning("recording not salvaged, its file is left as it is: %s", error, extra={"recording": name})
             with suppress(OSError):
                 salvaged.unlink(missing_ok=True)
             return
-        with self._lock:
-            self._changes += 1
         logger.info("recording salvaged", extra={"recording": name, "messages": count})
 
     def _used_bytes(self) -> int:

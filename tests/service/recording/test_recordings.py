@@ -3,6 +3,7 @@
 import os
 import time
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -11,8 +12,10 @@ import pytest
 from mcap.reader import make_reader
 
 from captra.recording.reader import is_mcap, messages
+from captra.recording.writer import SessionWriter
 from clients.replay import replay
 from service.codecs import CDR
+from service.recording.folder import Recordings
 from service.sqlite_store import SqliteSessionStore
 from tests.service.ros2.clouds import cdr
 from tests.service.support import Running, blob, f32, i16, running
@@ -269,3 +272,18 @@ def wait_until_finished(service: Running, name: str) -> None:
     while (name, True) not in [(entry["name"], entry["finished"]) for entry in names(service)]:
         assert time.monotonic() < deadline, f"{name} was never finished"
         time.sleep(0.02)
+
+
+def test_no_listing_overlooks_a_recording_that_becomes_whole_meanwhile(tmp_path: Path) -> None:
+    writer = SessionWriter(tmp_path / "written")
+    writer.session({"category": "mug"})
+    writer.close()
+    names = {f"mug_{number}" for number in range(100)}
+    for name in names:
+        (tmp_path / f"{name}.mcap.part").write_bytes((tmp_path / "written").read_bytes())
+    recordings = Recordings(tmp_path, 2**30, 2**30)
+    with ThreadPoolExecutor(1) as pool:
+        done = pool.submit(recordings.salvage, recordings.left_behind())
+        while not done.done():
+            assert sorted(each.name for each in recordings.all()) == sorted(names)
+    assert all(each.finished for each in recordings.all())
