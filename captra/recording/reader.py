@@ -1,7 +1,6 @@
 """Reads what a session's file holds, whether its writer closed it or died."""
 
 import base64
-import struct
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from pathlib import Path
@@ -13,21 +12,12 @@ from mcap.reader import McapReader, NonSeekingReader, SeekingReader
 from mcap.records import Channel, Message, Schema
 from mcap.writer import CompressionType, Writer
 
+from captra import archives
 from captra.data.recordings import RecordingError
 from captra.recording.writer import PAYLOAD_ON, POINT_CLOUD2
 
 MAGIC = b"\x89MCAP0\r\n"
-DAMAGE = (
-    McapError,
-    OSError,
-    ValueError,
-    TypeError,
-    LookupError,
-    OverflowError,
-    RuntimeError,
-    MemoryError,
-    struct.error,
-)
+DAMAGE = (McapError, *archives.DAMAGE)
 """What reading a damaged file raises: bits that flipped may stand in lengths, in compressed data, or in JSON."""
 
 

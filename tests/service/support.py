@@ -3,6 +3,7 @@
 import json
 import socket
 import threading
+import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
@@ -109,6 +110,14 @@ class CentreProvider:
 
     def models(self) -> Sequence[Model]:
         return [Model(name, "float32", "none", ("realtime",), ("realtime",), None, {}) for name in self.networks]
+
+
+def wait_until(holds: Callable[[], bool], otherwise: str = "it never came about", wait_s: float = TIMEOUT_S) -> None:
+    """Look again and again whether something holds by now; `otherwise` says what went wrong where it never does."""
+    deadline_s = time.monotonic() + wait_s
+    while not holds():
+        assert time.monotonic() < deadline_s, otherwise
+        time.sleep(0.02)
 
 
 @dataclass

@@ -4,7 +4,7 @@ import json
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from datetime import datetime
@@ -20,7 +20,7 @@ from clients import Session, open_session
 from clients.credentials import Credentials
 from clients.service_process import free_ports
 from tests.service.cables import Cable, cable
-from tests.service.support import blob
+from tests.service.support import blob, wait_until
 from tests.service.test_process import process, stream
 
 LEASE_MS = 2000
@@ -41,18 +41,12 @@ class Log:
 
     def find(self, message: str) -> dict[str, Any]:
         """The last entry with a message, once it is there."""
-        wait_until(lambda: any(each["message"] == message for each in self.entries), f"the log never said {message!r}")
+        said = f"the log never said {message!r}"
+        wait_until(lambda: any(each["message"] == message for each in self.entries), said, WAIT_S)
         return [each for each in self.entries if each["message"] == message][-1]
 
     def count(self, message: str) -> int:
         return sum(each["message"] == message for each in self.entries)
-
-
-def wait_until(holds: Callable[[], bool], otherwise: str) -> None:
-    deadline = time.monotonic() + WAIT_S
-    while not holds():
-        assert time.monotonic() < deadline, otherwise
-        time.sleep(0.05)
 
 
 @dataclass
@@ -75,7 +69,7 @@ class Robot:
         def came() -> bool:
             return self.session.latest is not None and self.session.latest.seq > seq
 
-        wait_until(came, "no result came through the cable")
+        wait_until(came, "no result came through the cable", WAIT_S)
 
     def is_open(self) -> bool:
         return httpx.get(f"{self.url}/v1/sessions/{self.session.session_id}", timeout=20).status_code == 200

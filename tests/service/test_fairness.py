@@ -5,8 +5,6 @@ import json
 import logging
 import socket
 import threading
-import time
-from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from contextlib import ExitStack
 
@@ -15,7 +13,7 @@ import pytest
 import zenoh
 
 from service.rest.dependencies import MOST_FRAMES, Workers
-from tests.service.support import F32, TIMEOUT_S, Camera, Running, blob, f32, inbox, running, zenoh_client
+from tests.service.support import F32, TIMEOUT_S, Camera, Running, blob, f32, inbox, running, wait_until, zenoh_client
 
 AT_ONCE = 40
 """Requests of one client, more than the service has threads for requests."""
@@ -110,13 +108,6 @@ def posting(service: Running, session_id: str, payload: bytes, seq: int, more: i
         + payload
     )
     return client
-
-
-def wait_until(comes_about: Callable[[], bool]) -> None:
-    deadline = time.monotonic() + TIMEOUT_S
-    while not comes_about():
-        assert time.monotonic() < deadline, "it never came about"
-        time.sleep(0.01)
 
 
 def test_every_frame_of_one_session_is_answered_while_another_is_flooded(service: Running) -> None:

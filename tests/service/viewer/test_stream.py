@@ -21,7 +21,7 @@ from service.envelopes import pack_attachment
 from service.observer import Observer
 from service.viewer.clouds import MOST_POINTS
 from service.viewer.socket import Viewer
-from tests.service.support import F32, STAMP_NS, Running, f32
+from tests.service.support import F32, STAMP_NS, Running, f32, wait_until
 from tests.service.viewer.looking import scene
 
 
@@ -130,10 +130,7 @@ def test_a_viewer_that_left_leaves_nothing_behind(service: Running) -> None:
         viewer.send(json.dumps({"type": "watch", "session": session_id}))
         message(viewer, "result")
         assert observers_of(session) == before + 1
-    deadline_s = time.monotonic() + 10
-    while observers_of(session) > before and time.monotonic() < deadline_s:
-        time.sleep(0.02)
-    assert observers_of(session) == before
+    wait_until(lambda: observers_of(session) == before)
 
 
 def test_a_viewer_that_left_while_its_wish_waited_for_a_frame_leaves_nothing_behind(
@@ -172,10 +169,7 @@ def test_a_viewer_that_left_while_its_wish_waited_for_a_frame_leaves_nothing_beh
             networks.gate.set()
         assert frame.result(10).status_code == 200
     assert observed.wait(10)
-    deadline_s = time.monotonic() + 10
-    while observers_of(session) > before and time.monotonic() < deadline_s:
-        time.sleep(0.02)
-    assert observers_of(session) == before
+    wait_until(lambda: observers_of(session) == before)
 
 
 def test_clouds_of_a_preview_are_taken_until_the_session_that_they_feed_is_closed(
