@@ -14,15 +14,17 @@ class RejectedError(ValueError):
     status: ClassVar[int] = 422
     title: ClassVar[str]
 
+    def __init__(self, detail: str, looks: int | None = None) -> None:
+        """`looks` says how many the refused frame might take, where the tracker has tried it."""
+        super().__init__(detail)
+        self.looks = looks
+
     def __init_subclass__(cls, reason: str | None = None, status: int | None = None) -> None:
         """EmptyCloudError has the reason `empty-cloud` and the title "Empty cloud", unless it says otherwise."""
         words = re.findall("[A-Z][a-z]*", cls.__name__.removesuffix("Error"))
         cls.reason = reason or "-".join(words).lower()
         cls.title = cls.reason.replace("-", " ").capitalize()
         cls.status = cls.status if status is None else status
-
-    looks: int | None = None
-    """How many looks the refused frame might take, where the tracker has tried it."""
 
     @property
     def detail(self) -> str:
@@ -47,7 +49,7 @@ class MalformedAttachmentError(FrameRejectedError):
 
 
 class EmptyCloudError(FrameRejectedError):
-    """The cloud has no points."""
+    """The cloud has no points, or the message no bytes."""
 
 
 class WrongByteCountError(FrameRejectedError):
@@ -84,11 +86,6 @@ class RepeatedSeqError(FrameRejectedError, status=409):
 
 class NoPointsNearObjectError(FrameRejectedError):
     """The cloud holds nothing where the object was."""
-
-    def __init__(self, detail: str, looks: int | None = None) -> None:
-        """`looks` says how many the frame might take."""
-        super().__init__(detail)
-        self.looks = looks
 
 
 class MalformedMessageError(FrameRejectedError):
@@ -201,6 +198,10 @@ class MethodNotAllowedError(RequestRejectedError, status=405):
 
 class BodyTooLargeError(RequestRejectedError, status=413):
     """The body is over the limit."""
+
+
+class SlowBodyError(RequestRejectedError, status=408):
+    """The body takes too long to arrive."""
 
 
 class UnsupportedMediaTypeError(RequestRejectedError, status=415):

@@ -5,6 +5,9 @@ from typing import Self
 from service.rejections import RepeatedSeqError, StaleSeqError
 from service.runs import Runs
 
+MOST_MISSING = 100_000
+"""Numbers that jump further, an hour of frames, count something else than frames: times, most likely."""
+
 
 class Sequence:
     """Knows the last frame processed; not thread-safe."""
@@ -13,6 +16,7 @@ class Sequence:
         self._last = last
         self._above = last  # what numbers have to be higher than, also where the last one is not known
         self._refused = Runs()
+        self._refused_unnumbered = 0
 
     @classmethod
     def resumed(cls, trusted: int | None) -> Self:
@@ -47,22 +51,29 @@ class Sequence:
             raise RepeatedSeqError(f"frame {seq} has been processed already: {advice}")
         raise StaleSeqError(f"frame {seq} is older than {self._above}, the last one processed: {advice}")
 
-    def reject(self, seq: int) -> None:
-        """Remember that a frame arrived and was refused, so that it does not count as dropped."""
-        if self._is_newer(seq):
+    def reject(self, seq: int | None) -> None:
+        """Remember that a frame arrived and was refused, so that it does not count as dropped.
+
+        One whose number could not be read has some number all the same: it fills a gap before the next frame.
+        """
+        if seq is None:
+            self._refused_unnumbered += 1
+        elif self._is_newer(seq):
             self._refused.add(seq)
 
     def accept(self, seq: int) -> int:
         """Note that a frame was processed; return how many between it and the last one never arrived."""
-        refused = self._refused.take_below(seq)
-        dropped = 0 if self._last is None else max(0, seq - self._last - 1 - refused)
+        refused = self._refused.take_below(seq) + self._refused_unnumbered
+        missing = 0 if self._last is None else max(0, seq - self._last - 1 - refused)
         self._last = self._above = seq
-        return dropped
+        self._refused_unnumbered = 0
+        return missing if missing <= MOST_MISSING else 0
 
     def restart(self) -> None:
         """Take any number next."""
         self._last = self._above = None
         self._refused.clear()
+        self._refused_unnumbered = 0
 
     def _is_newer(self, seq: int) -> bool:
         return self._above is None or seq > self._above

@@ -21,6 +21,7 @@ from service.networks import Engine
 from service.observer import Observer, Observers
 from service.recording.tape import NO_TAPE, Tape
 from service.rejections import (
+    EmptyCloudError,
     InternalError,
     NoPointsNearObjectError,
     RejectedError,
@@ -245,7 +246,7 @@ class Session:
             tracked = self._tracker.step(observation, segmentation, 1e-9 * header.stamp_ns, envelope.looks)
         except NoPointsError as error:
             self._saw_nothing(header)
-            raise NoPointsNearObjectError(str(error), self._tracker.looks) from error
+            raise nothing_seen(observation, str(error), self._tracker.looks) from error
         dropped = self._sequence.accept(header.seq)
         total_s = time.perf_counter() - envelope.arrived_s
         result = self._reporter.tracked(tracked, header, self._tracker.looks, 1e3 * waited_s, 1e3 * total_s)
@@ -295,7 +296,7 @@ class Session:
                 return
             self.ledger.rejected(rejection.reason)
             seq, stamp_ns = (None, None) if header is None else (header.seq, header.stamp_ns)
-            if seq is not None:
+            if not isinstance(rejection, WrongSecretError):  # a stranger's numbers are none of this session's
                 self._sequence.reject(seq)
             logger.debug("frame rejected", extra={"session_id": self.session_id, "reason": rejection.reason})
             state = self._last_result.state
@@ -322,3 +323,10 @@ class Session:
     ) -> None:
         state = self._last_result.state
         self._observers.event(Event(kind, self.session_id, state, previous, seq, stamp_ns, reason, detail, looks))
+
+
+def nothing_seen(observation: Observation, detail: str, looks: int) -> RejectedError:
+    """Why a frame shows no object, which the track has been told: there are no points at all, or none near it."""
+    if 0 in observation.shape:
+        return EmptyCloudError("the cloud has no points: send at least those around the object", looks)
+    return NoPointsNearObjectError(detail, looks)

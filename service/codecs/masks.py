@@ -32,7 +32,7 @@ class MaskReader(Protocol):
     """What a session takes beside its frames."""
 
     def split(self, envelope: Envelope) -> tuple[Envelope, bytes]:
-        """The envelope without its mask, and the mask."""
+        """The envelope without its mask, and the mask; raises MalformedMaskError where none is read."""
 
     def read(self, mask: bytes, shape: Shape) -> Segmentation:
         """What a mask tells of an observation of so many rows and columns; raises MalformedMaskError."""
@@ -42,12 +42,30 @@ class NoMasks:
     """CoordinateNet decides, always."""
 
     def split(self, envelope: Envelope) -> tuple[Envelope, bytes]:
-        """Nothing to take off."""
+        """Nothing to take off.
+
+        Raises:
+            MalformedMaskError: there is a mask or a box all the same.
+        """
+        if _parted(envelope)[1]:
+            raise MalformedMaskError(
+                'a mask or box came with the frame, but the session was opened without: open it with masks "object" or '
+                '"parts", or send the frame alone'
+            )
         return envelope, b""
 
     def read(self, mask: bytes, shape: Shape) -> Segmentation:  # noqa: ARG002 - asked for by the protocol
         """Nothing."""
         return NOTHING_KNOWN
+
+
+def _parted(envelope: Envelope) -> tuple[Envelope, bytes]:
+    """Whatever begins like a mask, or is as long as a box, behind the sixteen bytes."""
+    attachment = envelope.attachment or b""
+    head, tail = attachment[: ATTACHMENT.size], attachment[ATTACHMENT.size :]
+    if len(tail) == BOX.size or tail.startswith(PNG_SIGNATURE):
+        return replace(envelope, attachment=head), tail
+    return envelope, b""
 
 
 NO_MASKS: MaskReader = NoMasks()
@@ -61,12 +79,8 @@ class Masks:
     """From the image's values to labels."""
 
     def split(self, envelope: Envelope) -> tuple[Envelope, bytes]:
-        """Whatever begins like a mask, or is as long as a box, behind the sixteen bytes."""
-        attachment = envelope.attachment or b""
-        head, tail = attachment[: ATTACHMENT.size], attachment[ATTACHMENT.size :]
-        if len(tail) == BOX.size or tail.startswith(PNG_SIGNATURE):
-            return replace(envelope, attachment=head), tail
-        return envelope, b""
+        """Take it off the attachment."""
+        return _parted(envelope)
 
     def read(self, mask: bytes, shape: Shape) -> Segmentation:
         """Decode.

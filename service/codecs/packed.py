@@ -10,7 +10,6 @@ from service.codecs.frames import Frame
 from service.envelopes import Envelope, unpack_attachment
 from service.rejections import (
     CoordinatesOutOfRangeError,
-    EmptyCloudError,
     NotFiniteError,
     TooManyPointsError,
     WrongByteCountError,
@@ -43,11 +42,9 @@ class PackedCloudCodec:
         return Frame(unpack_attachment(envelope.attachment), lambda: PointCloud.of(self.points(envelope)))
 
     def points(self, envelope: Envelope) -> Float32[np.ndarray, "points 3"]:
-        """Points in metres: a read-only view of the payload for metres in float32, otherwise one new array."""
+        """Points in metres, maybe none: a view of the payload for metres in float32, otherwise one new array."""
         payload = envelope.payload
         bytes_per_point = 3 * self.dtype.itemsize
-        if not payload:
-            raise EmptyCloudError("the cloud has no points: send at least those around the object")
         count, remainder = divmod(len(payload), bytes_per_point)
         if remainder:
             raise WrongByteCountError(
@@ -78,6 +75,8 @@ def check_coordinates(points: Float32[np.ndarray, "points 3"]) -> None:
         NotFiniteError: a coordinate is NaN or infinite.
         CoordinatesOutOfRangeError: a coordinate is beyond `LARGEST_COORDINATE_M`.
     """
+    if points.size == 0:
+        return
     lowest, highest = points.min(), points.max()  # both carry NaN through
     if not (np.isfinite(lowest) and np.isfinite(highest)):
         bad = int(np.count_nonzero(~np.isfinite(points).all(axis=1)))
@@ -87,5 +86,6 @@ def check_coordinates(points: Float32[np.ndarray, "points 3"]) -> None:
         )
     if max(-lowest, highest) > LARGEST_COORDINATE_M:
         raise CoordinatesOutOfRangeError(
-            f"coordinates reach from {lowest:g} to {highest:g} m: clouds are in metres, in the camera frame"
+            f"coordinates reach from {lowest:g} to {highest:g} m: clouds are in metres, in the camera frame (or are "
+            "these numbers of another type, such as float64?)"
         )

@@ -58,17 +58,16 @@ class PointCloud2Codec:
         return Frame(FrameHeader(seq, stamp_ns, message.header.frame_id or None), lambda: self.cloud(message))
 
     def cloud(self, message: Any) -> PointCloud:
-        """Views of the coordinates where they lie in the message.
+        """Views of the coordinates where they lie in the message; maybe none.
 
         Raises:
-            EmptyCloudError: no points.
             TooManyPointsError: over the limit.
             UnsupportedFieldsError: x, y or z is missing, or no float.
             WrongByteCountError: the data do not have the size that the message says.
         """
         rows, columns = message.height, message.width
         if rows * columns == 0:
-            raise EmptyCloudError("the cloud has no points: send at least those around the object")
+            return PointCloud.of(np.zeros((0, 3), np.float32))
         if rows * columns > self.max_points:
             raise TooManyPointsError(
                 f"the cloud has {rows * columns} points, the limit is {self.max_points}: crop or thin it out"

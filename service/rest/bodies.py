@@ -3,17 +3,36 @@
 from collections.abc import AsyncIterator, Callable, Coroutine, MutableMapping
 from typing import Any
 
+import anyio
 from fastapi import Request, Response
 from fastapi.routing import APIRoute
 
-from service.rejections import BodyTooLargeError, UnsupportedMediaTypeError
+from service.rejections import BodyTooLargeError, SlowBodyError, UnsupportedMediaTypeError
 
 DRAINED_BYTES = 64 * 2**20
 """How much of a refused body is read and thrown away, so that the client gets to read the answer."""
 
 
-async def read_body(request: Request, check_size: Callable[[int], None]) -> bytes:
-    """The whole body; `check_size` raises as soon as it is known to be too large."""
+LONGEST_S = 30.0
+"""What a body may take to arrive: the largest one comes within it at 5 Mbit/s."""
+
+
+async def read_body(request: Request, check_size: Callable[[int], None], longest_s: float = LONGEST_S) -> bytes:
+    """The whole body; `check_size` raises as soon as it is known to be too large.
+
+    Raises:
+        SlowBodyError: it takes longer than `longest_s`.
+    """
+    try:
+        with anyio.fail_after(longest_s):
+            return await _read(request, check_size)
+    except TimeoutError:
+        raise SlowBodyError(
+            f"the body did not arrive within {longest_s:g} s: send fewer points, or over a faster network"
+        ) from None
+
+
+async def _read(request: Request, check_size: Callable[[int], None]) -> bytes:
     declared = request.headers.get("content-length", "")
     body = bytearray()
     chunks = request.stream()

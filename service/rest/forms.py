@@ -11,10 +11,11 @@ from service.codecs.masks import BOX
 from service.rejections import InvalidRequestError
 
 MULTIPART = "multipart/form-data"
+FILES = {"cloud", "mask"}
 WITH_MASK: JsonDict = {
     "type": "object",
     "required": ["cloud"],
-    "properties": {name: {"type": "string", "format": "binary"} for name in ("cloud", "mask")},
+    "properties": {name: {"type": "string", "format": "binary"} for name in sorted(FILES)},
 }
 """Schema of a form: the frame with its encoding as content type, and an 8-bit grey PNG."""
 
@@ -37,7 +38,8 @@ async def frame_of(body: bytes, content_type: str, box: str | None) -> SentFrame
     """The frame in a body, and its mask or box.
 
     Raises:
-        InvalidRequestError: the form cannot be read or lacks the cloud, or the box lies beyond any image.
+        InvalidRequestError: the form cannot be read, lacks the cloud or holds something else, or the box lies beyond
+            any image.
     """
     mask = b"" if box is None else packed_box(box)
     if content_type.partition(";")[0].strip().lower() != MULTIPART:
@@ -53,6 +55,10 @@ async def frame_of(body: bytes, content_type: str, box: str | None) -> SentFrame
         files = {name: file for name, file in form.multi_items() if isinstance(file, UploadFile)}
         if "cloud" not in files:
             raise InvalidRequestError("/body/cloud: the form lacks the file 'cloud', with its encoding as content type")
+        if unknown := sorted({name for name, _ in form.multi_items()} - set(files)) + sorted(set(files) - FILES):
+            raise InvalidRequestError(
+                f"/body/{unknown[0]}: the form holds the files 'cloud' and 'mask', each with a file name"
+            )
         payload = await files["cloud"].read()
         return SentFrame(
             files["cloud"].content_type or "", payload, await files["mask"].read() if "mask" in files else mask

@@ -20,6 +20,7 @@ from service.rejections import (
     NotFiniteError,
     PayloadTooLargeError,
     RepeatedSeqError,
+    SlowBodyError,
     StaleSeqError,
     TooManyFramesError,
     TooManyPointsError,
@@ -41,6 +42,7 @@ router = APIRouter(prefix="/v1/sessions", tags=["frames"])
 FRAME_PROBLEMS = (
     UnknownSessionError,
     TooManyFramesError,
+    SlowBodyError,
     InvalidRequestError,
     UnknownEncodingError,
     EmptyCloudError,
@@ -116,12 +118,12 @@ async def answer_of(
     session: Session, request: Request, threads: Workers, attachment: bytes, box: str | None, looks: int | None
 ) -> Response:
     """The result of the frame in a request, when its turn has come; nothing for a client that left meanwhile."""
-    arrived_s = time.perf_counter()
     try:
         payload = await read_body(request, session.codecs.check_size)
     except PayloadTooLargeError as rejection:
         await threads.run_in_turn(session, partial(session.refuse, rejection))
         raise
+    arrived_s = time.perf_counter()
     sent = await frame_of(payload, request.headers.get("content-type", ""), box)
     envelope = Envelope(sent.encoding, sent.payload, attachment + sent.mask, arrived_s, looks)
     async with threads.turn(session):

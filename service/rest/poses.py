@@ -15,7 +15,8 @@ from service.rejections import (
 )
 from service.rest.inputs import Part, Rotation
 
-SMALLEST_EDGE_M, LARGEST_EDGE_M, FARTHEST_M = 1e-4, 10.0, 1e4
+SMALLEST_EDGE_M, LARGEST_EDGE_M, FARTHEST_M = 1e-4, 4.0, 1e4
+"""Cabinets are smaller than the largest edge; whatever is tracked measures more centimetres than that."""
 TOLERANCE = 1e-3
 """How far a quaternion may be from unit length, and a matrix from orthonormal."""
 ORTHONORMAL = 1e-12
@@ -80,7 +81,7 @@ def check_boxes(translations: Float64[np.ndarray, "parts 3"], sizes: Float64[np.
     if sizes.min() < SMALLEST_EDGE_M or sizes.max() > LARGEST_EDGE_M:
         raise ImplausiblePoseError(
             f"edges measure {sizes.min():g} to {sizes.max():g} m, outside {SMALLEST_EDGE_M:g} to {LARGEST_EDGE_M:g} m: "
-            "sizes are in metres; divide millimetres by 1000"
+            "sizes are in metres; divide centimetres by 100, millimetres by 1000"
         )
     farthest = np.abs(translations).max()
     if farthest > FARTHEST_M:

@@ -4,9 +4,12 @@ import threading
 from collections.abc import Callable
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
+from functools import partial
 
-from service.envelopes import Envelope
+from captra.observations import Observation
+from service.envelopes import Envelope, NumberedHeader
 from service.rejections import UnknownSessionError
+from service.results import Event, EventKind, Result
 from service.tracking_service import TrackingService
 
 MOST_PREVIEWS = 16
@@ -27,6 +30,25 @@ class Fed:
     def sealed(self, envelope: Envelope) -> Envelope:
         """A cloud as the session takes it."""
         return replace(envelope, attachment=(envelope.attachment or b"") + self.secret or None)
+
+
+@dataclass(frozen=True)
+class UntilClosed:
+    """Observes a session for its end only."""
+
+    end: Callable[[], None]
+    """Called then."""
+
+    def cloud(self, header: NumberedHeader, observation: Observation) -> None:
+        """Nothing to do."""
+
+    def result(self, result: Result) -> None:
+        """Nothing to do."""
+
+    def event(self, event: Event) -> None:
+        """Whether that was it."""
+        if event.kind is EventKind.CLOSING:
+            self.end()
 
 
 class Previews:
@@ -74,18 +96,35 @@ class Previews:
             self._listeners[name] = tuple(each for each in self._listeners.get(name, ()) if each != take)
 
     def feed(self, name: str, session_id: str, secret: bytes) -> None:
-        """Put every further cloud of a preview on a session's key too, until the session is closed.
+        """Put every further cloud of a preview on a session's key too, until it is fed another or closed.
 
         Raises:
             UnknownSessionError: no such session is open.
         """
-        self._service.registry.get(session_id)
+        session = self._service.registry.get(session_id)
+        session.observe(UntilClosed(partial(self._end_feeding, session_id)))
         with self._lock:
+            self._starve(session_id)
             self._fed[name] = (*self._fed.get(name, ()), Fed(session_id, secret))
             self._adjust()
+        try:
+            self._service.registry.get(session_id)
+        except UnknownSessionError:  # it was closed meanwhile, perhaps before there was anything to end
+            self._end_feeding(session_id)
+            raise
+
+    def _end_feeding(self, session_id: str) -> None:
+        with self._lock:
+            self._starve(session_id)
+            self._adjust()
+
+    def _starve(self, session_id: str) -> None:
+        """Feed a session nothing."""
+        fed = {name: tuple(each for each in all_ if each.session_id != session_id) for name, all_ in self._fed.items()}
+        self._fed = {name: left for name, left in fed.items() if left}
 
     def _adjust(self) -> None:
-        needed = self._viewers > 0 or any(self._fed.values())
+        needed = self._viewers > 0 or bool(self._fed)
         if needed and self._subscription is None:
             self._subscription = self._service.transport.subscribe_previews(self._take)
         elif not needed and self._subscription is not None:
@@ -104,15 +143,5 @@ class Previews:
         for take in listeners:
             take(envelope)
         for each in fed:
-            self._forward(name, each, envelope)
-
-    def _forward(self, name: str, fed: Fed, envelope: Envelope) -> None:
-        try:
-            self._service.registry.get(fed.session_id)
-        except UnknownSessionError:
-            with self._lock:
-                self._fed[name] = tuple(each for each in self._fed[name] if each != fed)
-                self._adjust()
-            return
-        key = self._service.transport.keys(fed.session_id).cloud
-        self._service.transport.put(key, fed.sealed(envelope))
+            key = self._service.transport.keys(each.session_id).cloud
+            self._service.transport.put(key, each.sealed(envelope))

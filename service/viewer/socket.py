@@ -102,10 +102,18 @@ class Viewer:
         """Do what the page asks for, until it leaves."""
         while True:
             try:
-                wish = WISHES.validate_json(await self._websocket.receive_text())
+                wish = WISHES.validate_json(await self._received())
                 await anyio.to_thread.run_sync(self._heed, wish)
             except (RejectedError, ValidationError) as error:
                 self._outbox.put_message(orjson.dumps({"type": "refused", "detail": str(error)}))
+
+    async def _received(self) -> str | bytes:
+        """The next message, text or not; raises WebSocketDisconnect."""
+        message = await self._websocket.receive()
+        if message["type"] == "websocket.disconnect":
+            raise WebSocketDisconnect(message.get("code", 1005))
+        text: str | None = message.get("text")
+        return message["bytes"] if text is None else text
 
     async def show(self) -> None:
         """Send what there is, until the page leaves."""

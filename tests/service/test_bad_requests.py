@@ -46,6 +46,7 @@ BAD_POSES = [
     (part(size=[0.1, 0, 0.1]), "size-not-positive"),
     (part(size=[0.1, -0.1, 0.1]), "size-not-positive"),
     (part(size=[120, 90, 80]), "implausible-pose"),
+    (part(size=[6, 9, 4.1]), "implausible-pose"),
     (part(size=[1e-300, 0.1, 0.1]), "implausible-pose"),
     (part(translation=[0, 0, 1e5]), "implausible-pose"),
     ([], "invalid-request"),

@@ -59,6 +59,11 @@ def nothing() -> np.ndarray:
     return np.asarray(blob((0, 0, 3.0)))
 
 
+def no_points() -> np.ndarray:
+    """A crop around the object that has gone: not one point."""
+    return np.zeros((0, 3))
+
+
 class Stream:
     """Puts frame after frame, each once the last is done, and notes the states that subscribers are told."""
 
@@ -90,7 +95,7 @@ class Stream:
         return [body["state"] for body in bodies if body["kind"] == "state"]
 
 
-@pytest.mark.parametrize("hidden_by", [board, nothing])
+@pytest.mark.parametrize("hidden_by", [board, nothing, no_points])
 @pytest.mark.parametrize("moved_m", [0.0, 0.07])
 def test_hidden_object_is_reported_lost_and_found_again(
     seeing: Running, net: zenoh.Session, hidden_by: Callable[[], np.ndarray], moved_m: float
@@ -115,14 +120,17 @@ def test_hidden_object_is_reported_lost_and_found_again(
     assert told[-1] == "tracking"
 
 
-def test_track_says_in_the_third_frame_that_it_sees_nothing(seeing: Running, net: zenoh.Session) -> None:
+@pytest.mark.parametrize(("unseen", "reason"), [(nothing, "no-points-near-object"), (no_points, "empty-cloud")])
+def test_track_says_in_the_third_frame_that_it_sees_nothing(
+    seeing: Running, net: zenoh.Session, unseen: Callable[[], np.ndarray], reason: str
+) -> None:
     stream = Stream(seeing, net)
     stream.put(blob())
     for _ in range(5):
-        stream.put(nothing())
+        stream.put(unseen())
     lost = stream.poses.message(2)
     assert (lost["state"], lost["confidence"], lost["seq"], lost["stamp_ns"]) == ("lost", 0.0, 3, 3 * 33_000_000)
-    assert stream.events.message(len(stream.events) - 1)["reason"] == "no-points-near-object"
+    assert stream.events.message(len(stream.events) - 1)["reason"] == reason
     assert len(stream.poses) == 3  # one result for the frame that was tracked, one for each change of state
 
 

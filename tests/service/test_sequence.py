@@ -36,6 +36,23 @@ def test_refused_frames_are_not_dropped_ones() -> None:
     assert sequence.accept(14) == 1
 
 
+def test_refused_frames_whose_numbers_are_not_known_fill_the_gap_before_the_next() -> None:
+    sequence = Sequence(7)
+    sequence.reject(8)
+    sequence.reject(None)
+    assert sequence.accept(12) == 2
+    assert sequence.accept(14) == 1
+    sequence.reject(None)
+    assert sequence.accept(15) == 0
+    assert sequence.accept(17) == 1
+
+
+def test_numbers_that_are_times_count_no_frames() -> None:
+    sequence = Sequence(7)
+    assert sequence.accept(7 + 33_000_000) == 0
+    assert sequence.accept(7 + 33_000_002) == 1
+
+
 def test_refused_frames_do_not_move_the_sequence() -> None:
     sequence = Sequence(7)
     sequence.reject(1000)

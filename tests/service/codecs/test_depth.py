@@ -150,8 +150,8 @@ def test_frames_without_a_mask_are_left_to_the_network(service: Running, network
 @pytest.mark.parametrize(
     ("mask", "options", "reason"),
     [
-        (png(HALF), {}, "malformed-attachment"),
-        (BOX_OF_HALF, {}, "malformed-attachment"),
+        (png(HALF), {}, "malformed-mask"),
+        (BOX_OF_HALF, {}, "malformed-mask"),
         (bytes(7), {"masks": "object"}, "malformed-attachment"),
         (png(HALF[1:].copy()), {"masks": "object"}, "malformed-mask"),
         (png(HALF)[:40], {"masks": "object"}, "malformed-mask"),
@@ -191,6 +191,8 @@ def test_masks_and_boxes_by_http(service: Running, options: dict[str, Any]) -> N
     "options",
     [
         {"files": {"mask": ("m", png(HALF), "image/png")}},
+        {"files": {"cloud": ("f", FORMS[DEPTH_PNG], DEPTH_PNG), "masks": ("m", png(HALF), "image/png")}},
+        {"files": {"cloud": ("f", FORMS[DEPTH_PNG], DEPTH_PNG)}, "data": {"mask": "m.png"}},
         {"content": b"--", "headers": {"Content-Type": "multipart/form-data; boundary=x"}},
         {"content": b"--", "headers": {"Content-Type": "multipart/form-data"}},
         {"content": FORMS[DEPTH_PNG], "headers": {"Content-Type": DEPTH_PNG}, "params": {"box": "1,2,3"}},
