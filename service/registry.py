@@ -4,7 +4,8 @@ import logging
 import secrets
 import threading
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 
 from captra.geometry import Pose
@@ -94,6 +95,7 @@ class Registry:
         self._client_grace_s = client_grace_s
         self._lock = threading.Lock()
         self._open: dict[str, tuple[Session, Stream]] = {}
+        self._beginning = 0
         self._stopped = False
 
     def open(self, new: NewSession) -> Session:
@@ -107,7 +109,6 @@ class Registry:
             NotStoredError: it would not survive a restart, or cannot be recorded.
             RecordingsFullError: it cannot be recorded since there is no room.
         """
-        self._check_room()
         session_id = secrets.token_hex(8)
         record = SessionRecord(
             session_id=session_id,
@@ -220,6 +221,15 @@ class Registry:
         tape_of: Callable[[SessionRecord], Tape],
         first_result: Callable[[Reporter, Pose], Result],
     ) -> Session:
+        with self._place():
+            return self._begin_there(record, tape_of, first_result)
+
+    def _begin_there(
+        self,
+        record: SessionRecord,
+        tape_of: Callable[[SessionRecord], Tape],
+        first_result: Callable[[Reporter, Pose], Result],
+    ) -> Session:
         engine = self._provider.get(record.category, record.profile)
         tape = tape_of(record)
         session = Session(
@@ -237,7 +247,7 @@ class Registry:
         stream = self._transport.attach(session)
         try:
             with self._lock:
-                self._check_room()
+                self._check_not_stopped()
                 self._open[record.session_id] = (session, stream)
         except RejectedError:
             stream.stop_receiving()
@@ -256,14 +266,26 @@ class Registry:
         self._telemetry.session_closed(reason)
         logger.info("session closed", extra={"session_id": session.session_id, "reason": reason})
 
-    def _check_room(self) -> None:
+    @contextmanager
+    def _place(self) -> Iterator[None]:
+        """A place among the sessions, held while one begins: nothing has to be undone for want of it."""
+        with self._lock:
+            self._check_not_stopped()
+            if len(self._open) + self._beginning >= self._max_sessions:
+                raise TooManySessionsError(
+                    f"{self._max_sessions} sessions are open, which is the limit: "
+                    "DELETE one, wait until an idle one expires, or raise CAPTRA_MAX_SESSIONS"
+                )
+            self._beginning += 1
+        try:
+            yield
+        finally:
+            with self._lock:
+                self._beginning -= 1
+
+    def _check_not_stopped(self) -> None:
         if self._stopped:
             raise NotReadyError(STOPPING)
-        if len(self._open) >= self._max_sessions:
-            raise TooManySessionsError(
-                f"{self._max_sessions} sessions are open, which is the limit: "
-                "DELETE one, wait until an idle one expires, or raise CAPTRA_MAX_SESSIONS"
-            )
 
     def _is_open(self, session_id: str) -> bool:
         with self._lock:

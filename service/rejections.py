@@ -4,6 +4,7 @@ A slug is the `reason` of problems, events and counters; docs/wire-contract.md l
 """
 
 import re
+from dataclasses import dataclass
 from typing import ClassVar
 
 
@@ -116,8 +117,26 @@ class RequestRejectedError(RejectedError):
     """A request other than a frame is refused."""
 
 
+@dataclass(frozen=True)
+class Mistake:
+    """One thing that is wrong with a request."""
+
+    pointer: str
+    """Where: a JSON pointer that begins with /body, /path or /query; empty for the whole."""
+    detail: str
+    """What is wrong there."""
+
+    def __str__(self) -> str:
+        return f"{self.pointer}: {self.detail}" if self.pointer else self.detail
+
+
 class InvalidRequestError(RequestRejectedError):
     """The body or the query does not have the form that the OpenAPI document describes."""
+
+    def __init__(self, *mistakes: Mistake) -> None:
+        """All that is wrong, at least one thing."""
+        super().__init__(str(mistakes[0]) + (f" (and {len(mistakes) - 1} more)" if len(mistakes) > 1 else ""))
+        self.mistakes = mistakes
 
 
 class UnknownCategoryError(RequestRejectedError):

@@ -178,6 +178,7 @@ class Session:
 
     def turn_away(self, rejection: WrongSecretError) -> None:
         """Count and tell of a cloud from a stranger, who does not keep the session alive."""
+        self.ledger.received()
         self._reject(rejection, None)
 
     def reset(self, pose: Pose) -> Result:

@@ -74,17 +74,18 @@ class McapTape:
         self,
         writer: SessionWriter,
         body: Mapping[str, Any],
-        limit_bytes: int,
+        full: Callable[[int], str | None],
         on_whole: Callable[[], None],
         on_broken: Callable[[], None],
         name: str,
     ) -> None:
-        """`body` would open such a session; one of the callbacks is called on the writing thread at the end.
+        """`body` would open such a session; `full` says why a file of so many bytes may not grow, if that is so.
 
+        One of the other callbacks is called on the writing thread at the end:
         `on_whole` where the file is complete, `on_broken` where it could not be written.
         """
         self._writer = writer
-        self._limit_bytes = limit_bytes
+        self._full = full
         self._on_whole = on_whole
         self._on_broken = on_broken
         self._name = name
@@ -154,8 +155,8 @@ class McapTape:
                 if write is None:
                     break
                 self._write(write)
-                if self._writer.size_bytes >= self._limit_bytes:
-                    self._end("it has the size that it may have")
+                if (why := self._full(self._writer.size_bytes)) is not None:
+                    self._end(why)
         finally:
             self._ended.set()
 

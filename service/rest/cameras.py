@@ -2,7 +2,7 @@
 
 from captra.depth_images import Intrinsics
 from service import camera
-from service.rejections import InvalidRequestError, UnsupportedOptionError
+from service.rejections import InvalidRequestError, Mistake, UnsupportedOptionError
 from service.rest.inputs import Camera
 
 
@@ -19,10 +19,13 @@ def camera_of(body: Camera, max_points: int) -> camera.Camera:
             "and give the intrinsics of the rectified images"
         )
     if (body.width is None) != (body.height is None):
-        raise InvalidRequestError("/body/camera: give width and height together, or neither")
+        raise InvalidRequestError(Mistake("/body/camera", "give width and height together, or neither"))
     if (body.width or 0) * (body.height or 0) > max_points:
         raise InvalidRequestError(
-            f"/body/camera: images of {body.width} × {body.height} pixels are over the limit of {max_points}: "
-            "send every other row and column with fx, fy, cx, cy halved, or raise CAPTRA_MAX_POINTS"
+            Mistake(
+                "/body/camera",
+                f"images of {body.width} × {body.height} pixels are over the limit of {max_points}: "
+                "send every other row and column with fx, fy, cx, cy halved, or raise CAPTRA_MAX_POINTS",
+            )
         )
     return camera.Camera(Intrinsics(body.fx, body.fy, body.cx, body.cy), body.metres_per_unit, body.width, body.height)

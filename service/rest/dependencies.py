@@ -1,7 +1,7 @@
 """What routes share: the service, its worker threads, a session by its id."""
 
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import AbstractAsyncContextManager, contextmanager, nullcontext
 from typing import Annotated, TypeVar
 from weakref import WeakKeyDictionary
 
@@ -35,6 +35,7 @@ class Workers:
         self._limiter = anyio.CapacityLimiter(threads)
         self._turns: WeakKeyDictionary[Session, anyio.Lock] = WeakKeyDictionary()
         self._places: WeakKeyDictionary[Session, anyio.Semaphore] = WeakKeyDictionary()
+        self._naming = anyio.Lock()
 
     @contextmanager
     def place(self, session: Session) -> Iterator[None]:
@@ -59,6 +60,10 @@ class Workers:
     def turn(self, session: Session) -> anyio.Lock:
         """What work on one session takes turns by: whoever waits for it takes no thread from others meanwhile."""
         return self._turns.setdefault(session, anyio.Lock())
+
+    def naming(self, *, named: bool) -> AbstractAsyncContextManager[None]:
+        """What sessions with names of their own are opened in, one at a time, so that no two get the same."""
+        return self._naming if named else nullcontext()
 
     async def run_in_turn(self, session: Session, work: Callable[[], Answer]) -> Answer:
         """The answer of work on one session."""

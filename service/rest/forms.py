@@ -8,7 +8,7 @@ from starlette.datastructures import FormData, Headers, UploadFile
 from starlette.formparsers import MultiPartException, MultiPartParser
 
 from service.codecs.masks import BOX
-from service.rejections import InvalidRequestError
+from service.rejections import InvalidRequestError, Mistake
 
 MULTIPART = "multipart/form-data"
 FILES = {"cloud", "mask"}
@@ -54,10 +54,15 @@ async def frame_of(body: bytes, content_type: str, box: str | None) -> SentFrame
         form = await parsed(parser)
         files = {name: file for name, file in form.multi_items() if isinstance(file, UploadFile)}
         if "cloud" not in files:
-            raise InvalidRequestError("/body/cloud: the form lacks the file 'cloud', with its encoding as content type")
+            raise InvalidRequestError(
+                Mistake("/body/cloud", "the form lacks the file 'cloud', with its encoding as content type")
+            )
         if unknown := sorted({name for name, _ in form.multi_items()} - set(files)) + sorted(set(files) - FILES):
             raise InvalidRequestError(
-                f"/body/{unknown[0]}: the form holds the files 'cloud' and 'mask', each with a file name"
+                *(
+                    Mistake(f"/body/{name}", "the form holds the files 'cloud' and 'mask', each with a file name")
+                    for name in unknown
+                )
             )
         payload = await files["cloud"].read()
         return SentFrame(
@@ -77,7 +82,7 @@ async def parsed(parser: MultiPartParser) -> FormData:
     try:
         return await parser.parse()
     except (MultiPartException, KeyError, ValueError) as error:
-        raise InvalidRequestError(f"/body: the form cannot be read: {error}") from error
+        raise InvalidRequestError(Mistake("/body", f"the form cannot be read: {error}")) from error
 
 
 def packed_box(text: str) -> bytes:
@@ -88,5 +93,5 @@ def packed_box(text: str) -> bytes:
     """
     edges = [int(edge) for edge in text.split(",")]
     if max(edges) > LARGEST_COLUMN:
-        raise InvalidRequestError(f"/query/box: no edge is beyond {LARGEST_COLUMN}")
+        raise InvalidRequestError(Mistake("/query/box", f"no edge is beyond {LARGEST_COLUMN}"))
     return BOX.pack(*edges)

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from captra.categories import Category
-from service.rejections import InvalidRequestError
+from service.rejections import InvalidRequestError, Mistake
 from service.rest.inputs import NewSession
 from service.rest.vectors import Vector3
 from service.track_options import Prediction, Smoothing, TrackOptions
@@ -37,8 +37,13 @@ def joint_axes_of(axes: Mapping[str, Vector3], category: Category) -> dict[str, 
     for name, axis in axes.items():
         if name not in known:
             raise InvalidRequestError(
-                f"/body/joint_axes: {category.name} has no joint {name[:100]!r}; it has {', '.join(known) or 'none'}"
+                Mistake(
+                    "/body/joint_axes",
+                    f"{category.name} has no joint {name[:100]!r}; it has {', '.join(known) or 'none'}",
+                )
             )
         if max(abs(value) for value in axis) < SHORTEST_AXIS:
-            raise InvalidRequestError(f"/body/joint_axes/{name}: the axis has no direction: give a vector of length 1")
+            raise InvalidRequestError(
+                Mistake(f"/body/joint_axes/{name}", "the axis has no direction: give a vector of length 1")
+            )
     return {name: (x, y, z) for name, (x, y, z) in axes.items()}

@@ -1,6 +1,7 @@
 """Errors as problem+json (RFC 9457): every refusal, and everything that the framework refuses by itself."""
 
 from collections.abc import Mapping
+from dataclasses import asdict
 from http import HTTPStatus
 from typing import Any
 
@@ -10,6 +11,7 @@ from fastapi.exceptions import RequestValidationError
 from pydantic import BaseModel, ConfigDict, Field
 from starlette.exceptions import HTTPException
 from starlette.requests import ClientDisconnect
+from starlette.routing import compile_path
 
 from service.rejections import (
     ForbiddenError,
@@ -17,12 +19,15 @@ from service.rejections import (
     InternalError,
     InvalidRequestError,
     MethodNotAllowedError,
+    Mistake,
     NotFoundError,
     RejectedError,
     UnauthorizedError,
 )
 
 MEDIA_TYPE = "application/problem+json"
+MOST_MISTAKES = 20
+"""So many are told of a request; how many there are is said."""
 GUARDING = (UnauthorizedError, ForbiddenError)
 TYPE_PREFIX = "urn:captra:problem:"
 CLIENT_LEFT = 499
@@ -87,13 +92,13 @@ def install(app: FastAPI) -> None:
     app.add_exception_handler(Exception, _defect)
 
 
-def answer(
-    request: Request, rejection: RejectedError, headers: Mapping[str, str] | None = None, **members: Any
-) -> Response:
+def answer(request: Request, rejection: RejectedError, headers: Mapping[str, str] | None = None) -> Response:
     """The answer that tells of a refusal; counts it, unless it is of a frame."""
     if not isinstance(rejection, FrameRejectedError):  # frames are counted where they are refused
         request.app.state.service.telemetry.request_rejected(rejection.reason)
-    body = _members(rejection, rejection.detail, request.url.path) | members
+    body = _members(rejection, rejection.detail, request.url.path)
+    if isinstance(rejection, InvalidRequestError):
+        body["errors"] = [asdict(mistake) for mistake in rejection.mistakes[:MOST_MISTAKES]]
     return Response(orjson.dumps(body), rejection.status, media_type=MEDIA_TYPE, headers=dict(headers or {}))
 
 
@@ -126,13 +131,10 @@ def remark(entry: Mapping[str, Any]) -> str:
 
 async def _invalid(request: Request, error: Exception) -> Response:
     assert isinstance(error, RequestValidationError)
-    errors = [
-        {"pointer": "/" + "/".join(str(step) for step in entry["loc"]), "detail": remark(entry)}
-        for entry in error.errors()
-    ]
-    first = f"{errors[0]['pointer']}: {errors[0]['detail']}" if errors else "see the OpenAPI document"
-    more = f" (and {len(errors) - 1} more)" if len(errors) > 1 else ""
-    return answer(request, InvalidRequestError(first + more), errors=errors)
+    mistakes = [
+        Mistake("/" + "/".join(str(step) for step in entry["loc"]), remark(entry)) for entry in error.errors()
+    ] or [Mistake("", "see the OpenAPI document")]
+    return answer(request, InvalidRequestError(*mistakes))
 
 
 async def _http_error(request: Request, error: Exception) -> Response:
@@ -142,11 +144,19 @@ async def _http_error(request: Request, error: Exception) -> Response:
         case HTTPStatus.NOT_FOUND:
             rejection: RejectedError = NotFoundError(f"{path} leads nowhere: GET /openapi.json lists every path")
         case HTTPStatus.METHOD_NOT_ALLOWED:
-            allowed = (error.headers or {}).get("Allow", "another method")
+            allowed = ", ".join(_methods_of(request)) or (error.headers or {}).get("Allow", "")
             rejection = MethodNotAllowedError(f"{path} cannot be reached with {method}: use {allowed}")
+            return answer(request, rejection, {"Allow": allowed})
         case _:
-            rejection = InvalidRequestError(str(error.detail))  # of the status that the document has for it
+            rejection = InvalidRequestError(Mistake("", str(error.detail)))  # the document has its status
     return answer(request, rejection, error.headers)
+
+
+def _methods_of(request: Request) -> list[str]:
+    """All methods that a path of the OpenAPI document can be reached with, each by a route of its own."""
+    paths: Mapping[str, Mapping[str, Any]] = request.app.openapi()["paths"]
+    fitting = [methods for path, methods in paths.items() if compile_path(path)[0].match(request.url.path)]
+    return sorted({method.upper() for methods in fitting for method in methods})
 
 
 async def _left(request: Request, error: Exception) -> Response:  # noqa: ARG001 - in the middle of its body

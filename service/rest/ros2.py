@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable
 
-from service.rejections import InvalidRequestError, UnsupportedOptionError
+from service.rejections import InvalidRequestError, Mistake, UnsupportedOptionError
 from service.rest.inputs import NewSession
 from service.ros2.options import Ros2Options, default_name
 from service.security.wiring import clouds_need_secrets
@@ -20,7 +20,9 @@ def check_name_free(body: NewSession, sessions: Iterable[Session]) -> None:
     for session in sessions:
         if name is not None and session.record.ros2 is not None and session.record.ros2.name == name:
             raise InvalidRequestError(
-                f"/body/ros2/name: session {session.session_id} is called {name!r} already: choose another name"
+                Mistake(
+                    "/body/ros2/name", f"session {session.session_id} is called {name!r} already: choose another name"
+                )
             )
 
 

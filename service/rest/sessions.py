@@ -14,6 +14,7 @@ from service.rejections import (
     CategoryWithoutModelError,
     ImplausiblePoseError,
     InvalidRequestError,
+    Mistake,
     ModelNotLoadableError,
     NotARotationError,
     NotReadyError,
@@ -71,12 +72,13 @@ async def open_session(
 ) -> OpenedSession:
     """Open a session: say what is tracked and where every part is in the first cloud."""
     service.readiness.check_takes_sessions()
-    check_name_free(body, service.registry.sessions())
     order, secret = order_of(body, service.settings), None
     if clouds_need_secrets(service.settings):
         secret = new_secret()
         order = replace(order, secret_sha256=sha256(secret).hexdigest())
-    session = await threads.run(lambda: service.registry.open(order))
+    async with threads.naming(named=body.ros2 is not None and body.ros2.name is not None):
+        check_name_free(body, service.registry.sessions())
+        session = await threads.run(lambda: service.registry.open(order))
     response.headers["Location"] = f"{router.prefix}/{session.session_id}"
     answer = opened(session, service, request.url.hostname or "")
     answer.zenoh.secret = None if secret is None else secret.hex()
@@ -131,9 +133,12 @@ def order_of(body: NewSession, settings: Settings) -> Order:
         RequestRejectedError: an option or the pose is refused.
     """
     idle_timeout_s = settings.idle_timeout_s if body.idle_timeout_s is None else body.idle_timeout_s
-    if idle_timeout_s > settings.max_idle_timeout_s:
+    if idle_timeout_s > max(settings.idle_timeout_s, settings.max_idle_timeout_s):
         raise InvalidRequestError(
-            f"/body/idle_timeout_s: {idle_timeout_s:g} s is over the limit of {settings.max_idle_timeout_s:g} s"
+            Mistake(
+                "/body/idle_timeout_s",
+                f"{idle_timeout_s:g} s is over the limit of {settings.max_idle_timeout_s:g} s",
+            )
         )
     try:
         category = categories.get_category(body.category)

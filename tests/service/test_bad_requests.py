@@ -132,6 +132,29 @@ def test_invalid_request_points_at_every_mistake(service: Running) -> None:
 
 
 @pytest.mark.parametrize(
+    ("options", "pointer"),
+    [
+        ({"idle_timeout_s": 1e6}, "/body/idle_timeout_s"),
+        ({"camera": {"fx": 1, "fy": 1, "cx": 0, "cy": 0, "width": 5}}, "/body/camera"),
+        ({"joint_axes": {"hinge": [1, 0, 0]}}, "/body/joint_axes"),
+    ],
+)
+def test_what_only_the_service_knows_to_be_invalid_is_pointed_at_too(
+    service: Running, options: dict[str, Any], pointer: str
+) -> None:
+    problem = refused(service.http.post("/v1/sessions", json=session_body() | options), 422, "invalid-request")
+    assert [error["pointer"] for error in problem["errors"]] == [pointer]
+    assert problem["detail"] == f"{pointer}: {problem['errors'][0]['detail']}"
+
+
+def test_of_very_many_mistakes_some_are_told(service: Running) -> None:
+    body = session_body() | {f"unknown{i}": 0 for i in range(1000)}
+    problem = refused(service.http.post("/v1/sessions", json=body), 422, "invalid-request")
+    assert len(problem["errors"]) == 20
+    assert "999 more" in problem["detail"]
+
+
+@pytest.mark.parametrize(
     "body",
     [
         b"{",
@@ -189,8 +212,9 @@ def test_unknown_path(service: Running) -> None:
 
 def test_method_that_is_not_allowed(service: Running) -> None:
     answer = service.http.patch("/v1/sessions")
-    refused(answer, 405, "method-not-allowed")
-    assert answer.headers["Allow"]
+    problem = refused(answer, 405, "method-not-allowed")
+    assert answer.headers["Allow"] == "GET, POST"
+    assert "GET, POST" in problem["detail"]
 
 
 QUERIES = ["", "?seq=1", "?stamp_ns=1", "?seq=-1&stamp_ns=1", "?seq=x&stamp_ns=1"]

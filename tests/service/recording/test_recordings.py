@@ -173,6 +173,60 @@ def session_body_recorded() -> dict[str, Any]:
     return {"category": "mug", "parts": [part], "record": True}
 
 
+def test_sessions_share_the_room_that_there_is_and_none_is_refused_for_what_others_might_take(folder: Path) -> None:
+    with running("mug", record_dir=folder, record_max_total_bytes=4 * 2**20) as service:
+        assert service.service.readiness.wait_prepared(60)
+        opened = [service.open_session(record=True)["session_id"] for _ in range(6)]
+        noise = np.random.default_rng(0).uniform(-0.05, 0.05, (40_000, 3)) + (0, 0, 0.5)
+        for seq in range(8):
+            for session_id in opened:
+                assert service.post_frame(session_id, f32(noise), seq).status_code == 200
+        for session_id in opened:
+            service.http.delete(f"/v1/sessions/{session_id}")
+        entries = names(service)
+        assert len(entries) == 6
+        assert all(entry["finished"] for entry in entries)
+        assert 4 * 2**20 <= sum(entry["size_bytes"] for entry in entries) < 12 * 2**20
+        answer = service.http.post("/v1/sessions", json=session_body_recorded())
+        assert (answer.status_code, answer.json()["reason"]) == (507, "recordings-full")
+
+
+def test_sessions_that_are_refused_leave_no_recording(folder: Path) -> None:
+    with running("mug", record_dir=folder, max_sessions=1) as service, ThreadPoolExecutor(8) as clients:
+        assert service.service.readiness.wait_prepared(60)
+        posts = [clients.submit(service.http.post, "/v1/sessions", json=session_body_recorded()) for _ in range(8)]
+        assert sorted(post.result().status_code for post in posts) == [201, *[429] * 7]
+        assert len(names(service)) == 1
+
+
+def test_what_another_service_is_recording_is_left_to_it(folder: Path, recording: Running) -> None:
+    session_id = recording.open_session(record=True)["session_id"]
+    with running("mug", record_dir=folder) as other:
+        assert other.service.readiness.wait_prepared(60)
+        (entry,) = names(other)
+        assert not entry["finished"]
+        answer = other.http.delete(f"/v1/recordings/{entry['name']}")
+        assert (answer.status_code, answer.json()["reason"]) == (409, "unfinished-recording")
+    recording.post_frame(session_id, f32(blob()))
+    recording.http.delete(f"/v1/sessions/{session_id}")
+    assert [body["seq"] for kind, body in messages(folder / f"mug_{session_id}.mcap") if kind == "captra.Result"] == [0]
+
+
+def test_what_was_broken_off_takes_room_and_can_be_deleted(folder: Path) -> None:
+    folder.mkdir()
+    (folder / "mug_died.mcap.part").write_bytes(bytes(2**21))
+    with running("mug", record_dir=folder, record_max_total_bytes=2**21) as service:
+        assert service.service.readiness.wait_prepared(60)
+        answer = service.http.get("/v1/recordings/mug_died")
+        assert (answer.status_code, answer.json()["reason"]) == (409, "unfinished-recording")
+        assert service.http.post("/v1/sessions", json=session_body_recorded()).status_code == 507
+        deadline_s = time.monotonic() + 10  # until it was tried to be made whole
+        while service.http.delete("/v1/recordings/mug_died").status_code != 204 and time.monotonic() < deadline_s:
+            time.sleep(0.05)
+        assert names(service) == []
+        assert service.http.post("/v1/sessions", json=session_body_recorded()).status_code == 201
+
+
 def test_a_folder_that_cannot_be_written_is_told_before_anything_is_lost(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("in the way")
     with running("mug", record_dir=tmp_path / "file" / "recordings") as service:
