@@ -14,10 +14,11 @@ from captra.canonical import canonicalize
 from captra.data.recordings import load_recording
 from captra.evaluation.picture import draw_pose, project
 from captra.geometry import Pose, box_corners
+from captra.looking import choose_points, predict
 from captra.observations import PointCloud
 from captra.runtime.onnx_networks import OnnxNetworks
 from captra.sampling import PROFILES, build_neighborhoods
-from captra.tracker import Tracker, choose_points, predict
+from captra.tracker import Tracker
 
 ROOT = Path(__file__).resolve().parents[1]
 RECORDING = ROOT / "recordings" / "mug__sweethome3d-KatorLegaz__coffee-mug__hand.npz"

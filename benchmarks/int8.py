@@ -169,13 +169,18 @@ def quantize_graph(source: Path, target: Path, feeds: Sequence[Feed]) -> None:
 
 
 def with_float_weights(model: onnx.ModelProto) -> onnx.ModelProto:
-    """Weights that are stored in half precision, and cast when the model is loaded, as float32 from the start."""
+    """Weights that are cast when the model is loaded, and multiplied by a scale if they are whole, as float32."""
     graph = model.graph
     stored = {each.name: each for each in graph.initializer}
     casts = [node for node in graph.node if node.op_type == "Cast" and node.input[0] in stored]
     for cast in casts:
         values = numpy_helper.to_array(stored[cast.input[0]]).astype(np.float32)
-        graph.initializer.append(numpy_helper.from_array(values, cast.output[0]))
+        turned = cast.output[0]
+        for multiplied in [node for node in graph.node if node.op_type == "Mul" and node.input[0] == turned]:
+            values = values * numpy_helper.to_array(stored[multiplied.input[1]])
+            turned = multiplied.output[0]
+            graph.node.remove(multiplied)
+        graph.initializer.append(numpy_helper.from_array(values, turned))
         graph.node.remove(cast)
     for name in {cast.input[0] for cast in casts}:
         graph.initializer.remove(stored[name])

@@ -111,5 +111,6 @@ class ConfidenceModel:
         return np.asarray(np.clip(self.bias + features @ weights, -LIKELIEST_LOGIT, LIKELIEST_LOGIT))
 
     def __call__(self, evidence: Evidence) -> float:
-        """Probability that the pose of every part is right: that of the worst one."""
-        return float(1 / (1 + np.exp(-self.logit(features(evidence)).min())))
+        """Probability that the pose of every part is right: that of the worst one; none where evidence is no number."""
+        worst = self.logit(features(evidence)).min()  # NaN if any is
+        return float(1 / (1 + np.exp(-worst))) if np.isfinite(worst) else 0.0

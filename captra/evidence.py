@@ -21,7 +21,7 @@ class PartEvidence:
     explained: Float64[np.ndarray, "explained 3"]
     """Those of them that agree with the fit, metres, in the frame of the cloud; none of a part that keeps its pose."""
     residual: float
-    """RMS distance between fitted coordinates and points, in units of the scale."""
+    """RMS distance between fitted coordinates and points, in units of the scale, but for the worst points."""
     inliers: float
     """Fraction of the part's points that agree with the fit."""
     disagreement_rad: float
@@ -142,6 +142,10 @@ def shape_jump(size: Float[np.ndarray, "3"], expected: Float[np.ndarray, "3"]) -
 
 
 SMALLEST_SIDE_M = 1e-4
+COUNTED = 0.95
+"""Share of a part's points whose distances count towards the residual."""
+COUNTED_SQUARE = 0.877
+"""Mean square of these, of a normal distribution in space, over that of all: P(χ²₅ < q) / P(χ²₃ < q) at q of 95 %."""
 BOX_MARGIN = 0.1
 """Share of a box's sides that noise may carry its points beyond it."""
 
@@ -155,9 +159,17 @@ def thickness(points: Float[np.ndarray, "points 3"]) -> float:
 def agreement(
     fitted: Float[np.ndarray, "points 3"], points: Float[np.ndarray, "points 3"], tolerance: float
 ) -> tuple[float, Bool[np.ndarray, " points"]]:
-    """RMS distance between corresponding points, in their unit, and which of them are nearer than `tolerance`."""
-    square, near = _agreement(doubles(fitted), doubles(points), tolerance * tolerance)
-    return float(np.sqrt(square / len(points))), near
+    """RMS distance between corresponding points, in their unit, and which of them are nearer than `tolerance`.
+
+    The worst twentieth, which strays may be, does not count towards the first: it is what the others would lead to if
+    distances were those of a normal distribution.
+    """
+    squares, near = _agreement(doubles(fitted), doubles(points), tolerance * tolerance)
+    counted = int(np.ceil(COUNTED * len(squares)))
+    if counted == len(squares):
+        return float(np.sqrt(squares.mean())), near
+    smallest = np.partition(squares, counted - 1)[:counted]
+    return float(np.sqrt(smallest.mean() / COUNTED_SQUARE)), near
 
 
 def share_outside(points_part: Float[np.ndarray, "points 3"], size: Float[np.ndarray, "3"]) -> float:
@@ -183,16 +195,16 @@ def warm_up() -> None:
 @compiled
 def _agreement(
     fitted: Float64[np.ndarray, "points 3"], points: Float64[np.ndarray, "points 3"], squared_tolerance: float
-) -> tuple[float, Bool[np.ndarray, " points"]]:
-    total, near = 0.0, np.empty(len(points), np.bool_)
+) -> tuple[Float64[np.ndarray, " points"], Bool[np.ndarray, " points"]]:
+    squares, near = np.empty(len(points)), np.empty(len(points), np.bool_)
     for i in range(len(points)):
         square = 0.0
         for axis in range(3):
             difference = fitted[i, axis] - points[i, axis]
             square += difference * difference
-        total += square
+        squares[i] = square
         near[i] = square < squared_tolerance
-    return total, near
+    return squares, near
 
 
 @compiled

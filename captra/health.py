@@ -29,7 +29,8 @@ class HealthMonitor:
     trust_above: float = 0.3
     """Confidence over which a frame counts for it."""
     patience: int = 3
-    """Frames in doubt before the track is lost, and frames of trust before it is tracking again."""
+    """Frames in doubt, with none of trust between them, before the track is lost; and frames of trust in a row before
+    it is tracking again."""
     belief: Belief = FORGETFUL
     """What becomes of a frame's own confidence in the light of those before it."""
     state: State = State.TRACKING
@@ -37,7 +38,7 @@ class HealthMonitor:
     confidence: float = 1.0
     """Confidence of the last frame; 1 for a pose that was given."""
     streak: int = 0
-    """Frames in doubt, or of trust while recovering, in a row."""
+    """Frames in doubt since the last one of trust, or frames of trust in a row while recovering."""
     missed_frames: int = 0
     """Frames without any point near the object, in a row."""
 

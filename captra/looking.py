@@ -22,6 +22,7 @@ from captra.sampling import InputSampling, Neighborhoods, Profile, part_neighbor
 from captra.segmentation import NOTHING_KNOWN, Segmentation, overrule, without_background
 from captra.side_by_side import SideBySide
 from captra.solving import Prediction, per_point_rotations, reject_leaps, solve
+from captra.strays import without_strays
 from captra.visibility import visible
 
 
@@ -148,7 +149,7 @@ def choose_points(
         NoPointsError: nothing was seen near the object.
     """
     if not category.background:
-        whole = without_background(observation.whole(), segmentation)
+        whole = without_strays(without_background(observation.whole(), segmentation), last)
         if len(whole) < sampling.MINIMUM_CROP_POINTS:
             raise sampling.NoPointsError(f"the cloud has only {len(whole)} points: send the segmented object")
         return whole.chosen(sampling.farthest_points(whole.points, count))

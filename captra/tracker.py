@@ -245,7 +245,8 @@ class Tracker:
 
     @property
     def _credible(self) -> bool:
-        return self._health.state in (State.TRACKING, State.UNCERTAIN)
+        """Whether a find tells of the object; the first one after a given pose does, however late it comes."""
+        return self._given or self._health.state in (State.TRACKING, State.UNCERTAIN)
 
     def _published(self) -> Pose:
         """The last pose, or the last trusted one as long as a search has found nothing better.

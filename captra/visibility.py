@@ -13,6 +13,10 @@ LEAST_LEFT = 0.01
 FRAMES = 10
 """In so many a track gets used to what it sees."""
 
+NEAREST_M = 0.25
+"""No depth camera sees what is nearer: in the frame of something else, whose origin objects may come close to, their
+distances are no measure of how many points they have."""
+
 NEXT_TO_NOTHING = 1e-9
 """What is seen of an object that nothing is seen of."""
 
@@ -27,7 +31,8 @@ def visible(evidence: Evidence, crop: Crop) -> float:
     explained = np.concatenate([part.explained for part in evidence.parts])
     if not len(explained):
         return 0.0
-    return float(len(explained) / len(crop) * crop.total * np.square(explained).sum(axis=1).mean())
+    squared_distances = np.maximum(np.square(explained).sum(axis=1), NEAREST_M**2)
+    return float(len(explained) / len(crop) * crop.total * squared_distances.mean())
 
 
 @dataclass(frozen=True)

@@ -6,6 +6,8 @@ Either takes the place of CoordinateNet's segmentation in sessions that were ope
 import io
 import struct
 from dataclasses import dataclass
+from math import ceil, floor
+from numbers import Integral
 
 import numpy as np
 from jaxtyping import Bool, UInt8
@@ -54,11 +56,26 @@ class Box:
     bottom: int
     """First row below it."""
 
+    @staticmethod
+    def around(left: float, top: float, right: float, bottom: float, columns: int, rows: int) -> "Box":
+        """A detector's box, of numbers between pixels and beyond edges, on an image of so many columns and rows.
+
+        Raises:
+            ValueError: nothing of it is in the image.
+        """
+        return Box(max(0, floor(left)), max(0, floor(top)), min(columns, ceil(right)), min(rows, ceil(bottom)))
+
     def __post_init__(self) -> None:
+        edges = (self.left, self.top, self.right, self.bottom)
+        if not all(isinstance(edge, Integral) for edge in edges):
+            raise ValueError(
+                f"{self} is not of whole pixels: Box.around(left, top, right, bottom, columns, rows) takes what "
+                "detectors give"
+            )
         if not (0 <= self.left < self.right <= LARGEST_EDGE and 0 <= self.top < self.bottom <= LARGEST_EDGE):
             raise ValueError(
-                f"{self} holds no pixel: left, top, right, bottom, in pixels from the upper left corner, "
-                "the last two just outside (not width and height)"
+                f"{self} holds no pixel, or reaches out of the image: left, top, right, bottom, in pixels from the "
+                "upper left corner, the last two just outside (not width and height)"
             )
 
     def to_bytes(self) -> bytes:

@@ -13,9 +13,7 @@ from captra.recording.writer import EVENT, FRAME, RESET, RESULT, SESSION
 from clients.errors import RequestRefusedError
 from clients.rest import RestApi
 from clients.results import Result, parse_result
-
-UNSEEN = "no-points-near-object"
-"""Why a frame was refused that the tracker has tried nonetheless: it takes part in what the track remembers."""
+from clients.tracking import UNSEEN
 
 NO_FRAME = -1
 
@@ -136,7 +134,7 @@ def answers_in(path: Path) -> dict[int, Answer]:
             frame_by_seq[seq] = frames
             if seq in early:
                 answers[frames] = early.pop(seq)
-        elif name == RESULT or (name == EVENT and body.get("reason") == UNSEEN):
+        elif name == RESULT or (name == EVENT and body.get("reason") in UNSEEN):
             answer = Answer(body.get("looks"), parse_result(body) if name == RESULT else None)
             known, key = (answers, frame_by_seq[seq]) if seq in frame_by_seq else (early, seq)
             if key not in known or answer.result is None:
@@ -163,7 +161,7 @@ def again(api: RestApi, session_id: str, frame: RecordedFrame, looks: int | None
             looks=looks,
         )
     except RequestRefusedError as refusal:
-        if refusal.reason != UNSEEN:
+        if refusal.reason not in UNSEEN:
             raise
         return None
     return parse_result(answer)

@@ -82,7 +82,10 @@ def open_session(
         RequestRefusedError: the service does not accept it; `reason` says why.
         ServiceUnreachableError: no service at the address.
         RecordingError: `record` cannot be written, or is not called *.mcap.
+        ValueError: an argument is not of its kind; the message says what to give.
     """
+    if isinstance(record, bool):
+        raise ValueError("record is the file to write: the service records with record_in_service=True")
     packer = Packer(get_encoding(encoding), camera, masks)
     options = SessionOptions(
         profile=profile,
@@ -215,7 +218,7 @@ class Session:
         observations: Iterable[Observation | Frame],
         *,
         rate_hz: float | None = None,
-        on_event: Callable[[Event], None] = tracking.raise_rejections,
+        on_event: Callable[[Event], None] | None = None,
         timeout_s: float = 5.0,
     ) -> Iterator[Result]:
         """Send clouds or images and yield the results as they come.
@@ -228,8 +231,8 @@ class Session:
             observations: point clouds (N, 3) in metres, of any length, or whatever `put` takes; may block, like a
                 camera.
             rate_hz: how many a second.
-            on_event: called with every event but rejections of clouds sent before; by default a rejected cloud raises,
-                pass `lambda event: None` to go on.
+            on_event: called with every event but rejections of clouds sent before; by default a rejected cloud raises
+                (pass `lambda event: None` to go on), unless it just shows nothing of an object that was tracked before.
             timeout_s: the longest wait for a result.
 
         Raises:
@@ -240,7 +243,7 @@ class Session:
         """
         self._check_open()
         self._inbox.clear()
-        line = tracking.Line(self.put, self._inbox, on_event, timeout_s, self._next_seq)
+        line = tracking.Line(self.put, self._inbox, on_event or self._raise_rejection, timeout_s, self._next_seq)
         if rate_hz is None:
             return tracking.in_turn(line, observations)
         return tracking.at_rate(line, observations, rate_hz)
@@ -262,6 +265,11 @@ class Session:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self.close()
+
+    def _raise_rejection(self, event: Event) -> None:
+        """Go on where an object that was tracked is out of sight: whoever reads hears of it when it is lost."""
+        if self._latest is None or event.reason not in tracking.UNSEEN:
+            tracking.raise_rejections(event)
 
     def _number(self) -> int:
         seq = self._next_seq

@@ -116,7 +116,7 @@ def wait_for_subscriber(publisher: zenoh.Publisher, timeout_s: float) -> None:
             matched.set()
 
     with publisher.declare_matching_listener(notice):
-        if not (publisher.matching_status or matched.wait(timeout_s)):
+        if not (publisher.matching_status.matching or matched.wait(timeout_s)):
             raise ServiceUnreachableError(
                 f"nobody listens on {publisher.key_expr}: the service's Zenoh router is reached, "
                 "but the session is not there; open it again"

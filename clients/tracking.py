@@ -28,6 +28,10 @@ class Fed:
 Message = Result | Event | Fed
 
 
+UNSEEN = frozenset({"no-points-near-object", "empty-cloud"})
+"""Why clouds are rejected that show nothing of the object: the tracker has tried them, and results tell of a loss."""
+
+
 def raise_rejections(event: Event) -> None:
     """Turn the rejection of a cloud into an exception; those of strangers' clouds are none of ours."""
     if event.kind == "rejected" and event.reason != STRANGERS:

@@ -31,7 +31,8 @@ def complaint_of_syntax(error: SettingsError) -> str:
     field = re.search(r'field "(\w+)"', str(error))
     if field is None:
         return str(error)
-    return f'{PREFIX}{field[1].upper()} is no JSON: write a list like ["tcp/127.0.0.1:7447"], with the quotation marks'
+    example = '["mug", "can"]' if field[1] == "preload" else '["tcp/127.0.0.1:7447"]'
+    return f"{PREFIX}{field[1].upper()} is no JSON: write a list like {example}, with the quotation marks"
 
 
 def mistyped(variables: Iterable[str]) -> Iterator[str]:

@@ -56,11 +56,12 @@ class Shutdown:
 
     def _drain(self) -> None:
         self._begun.wait()
+        end_s = time.monotonic() + self._service.settings.shutdown_timeout_s
         try:
             self._service.drain()
         except Exception:  # the server has to stop all the same
             logger.exception("frames in hand not finished")
-        self._server.stop()
+        self._server.stop(max(0.0, end_s - time.monotonic()))  # frames and requests have one time together
 
     def _force(self) -> None:
         self._begun.wait()

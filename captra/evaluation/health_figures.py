@@ -100,7 +100,7 @@ class HealthFigures:
     delay_p95_frames: float
     """Likewise."""
     good_called_lost: Share
-    """Frames that were right and called lost, before anything happened and after the track held again."""
+    """Frames that were right and called lost or recovering, before anything happened and after the track held again."""
     recovered: Mapping[str, Share]
     """Tracks that held before an incident and again after it, by its kind."""
     recovered_well: Mapping[str, Share]
@@ -158,7 +158,7 @@ def gone(one: Watched) -> Bool[np.ndarray, " frames"]:
 
 
 def losses(watched: Iterable[Watched]) -> list[Loss]:
-    """Every time a track was lost for longer than the deadline."""
+    """Every time a track was lost for longer than the deadline, from its first frame on as well."""
     found = []
     for one in watched:
         said = np.array([state in SAID for state in one.states])
@@ -172,15 +172,14 @@ def _loss(said: Bool[np.ndarray, " frames"], first: int) -> Loss:
 
 
 def _beginnings(flags: Bool[np.ndarray, " frames"], length: int) -> Int[np.ndarray, " runs"]:
-    """Where runs of at least `length` true values begin, after a frame that is false."""
-    edges = np.diff(np.r_[1, flags.astype(int), 0])
+    """Where runs of at least `length` true values begin."""
+    edges = np.diff(np.r_[0, flags.astype(int), 0])
     starts, stops = np.flatnonzero(edges == 1), np.flatnonzero(edges == -1)
-    stops = stops[stops > starts[0]] if len(starts) else stops[:0]
     return np.asarray(starts[stops - starts >= length])
 
 
 def false_alarms(watched: Iterable[Watched]) -> Share:
-    """Good frames called lost: before anything happens, and after the track holds again."""
+    """Good frames called lost or recovering: before anything happens, and after the track holds again."""
     total = Share(0, 0)
     for one in watched:
         frames = np.arange(1, len(one.states) + 1)
@@ -188,7 +187,7 @@ def false_alarms(watched: Iterable[Watched]) -> Share:
         again = np.flatnonzero(tracking & (frames > one.stop))
         counted = (frames < one.start) | (frames > (again[0] if len(again) else len(frames)))
         counted &= one.correct
-        alarms = counted & np.array([state is State.LOST for state in one.states])
+        alarms = counted & np.array([state in SAID for state in one.states])
         total += Share(int(alarms.sum()), int(counted.sum()))
     return total
 

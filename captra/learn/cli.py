@@ -11,6 +11,7 @@ from captra.errors import UserError
 from captra.learn.plan import ROTATION, NetworkName, Plan
 
 DEFAULT_FOLDER = Path(".campaign")
+DEFAULT_RUN = "run"
 FURTHER_LEARNING_RATE = 4e-4
 """Weights that were trained to the end are not shaken up again."""
 
@@ -32,7 +33,7 @@ def train(
     folder: Annotated[
         Path, typer.Option(help="Campaign folder: views are read from it, state goes to it.")
     ] = DEFAULT_FOLDER,
-    run: Annotated[str, typer.Option(help="Name of the run: one state and one log each.")] = "run",
+    run: Annotated[str, typer.Option(help="Name of the run: one state and one log each.")] = DEFAULT_RUN,
     start_from: Annotated[
         Path | None,
         typer.Option(help="Bundle or folder of checkpoints to start from; its name is their category."),
@@ -90,8 +91,10 @@ def train(
                 "--shared-with": shared_with,
                 "--start-from": start_from,
                 "--learning-rate": learning_rate,
+                "--run": run != DEFAULT_RUN,
             }
         )
+    check_meshes(meshes, everything=everything)
     shown = [] if category is None else [category, *(shared_with or [])]
     for name in shown:
         check_views(get_category(name).name, folder)
@@ -149,6 +152,18 @@ def check_untold(options: Mapping[str, object]) -> None:
     if told:
         raise typer.BadParameter(
             f"--all decides that by itself: leave out {' and '.join(told)}, or say --category NAME"
+        )
+
+
+def check_meshes(meshes: Path | None, *, everything: bool) -> None:
+    """Only the campaign of all categories makes views.
+
+    Raises:
+        typer.BadParameter: one category is to be trained on meshes.
+    """
+    if meshes is not None and not everything:
+        raise typer.BadParameter(
+            "--meshes is for --all, which makes views itself: give it to captra generate before training one category"
         )
 
 

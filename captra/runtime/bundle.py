@@ -48,11 +48,11 @@ class Training:
     data: str
     """What the networks saw."""
     steps: int
-    """Optimizer steps of each network."""
+    """Optimizer steps of CoordinateNet; `details` tell of RotationNet."""
     seed: int | None = None
-    """Of data and weights, where there was one."""
+    """Of its data and weights, where there was one."""
     commit: str = ""
-    """Of the source that trained them."""
+    """Of the source that trained it."""
     meshes: tuple[MeshCredit, ...] = ()
     """Everything whose licence asks for attribution."""
     details: Mapping[str, Any] = field(default_factory=dict)
@@ -134,17 +134,22 @@ class Manifest:
             content["profiles"] = {name: _profile(shape) for name, shape in content["profiles"].items()}
             content["input_sampling"] = InputSampling(**content["input_sampling"])
             content["parts"] = tuple(content["parts"])
+            content["sha256"] = dict(content["sha256"])
             content.setdefault("rotation_share", 1.0)
             content.setdefault("joint_projection", "free")
             content.setdefault("mirror", "none")
             content.setdefault("found_error", {})
+            if not 0 < content["rotation_share"] <= 1:
+                raise BundleError(f"its rotation share {content['rotation_share']} is none: {_ADVICE}")
             for name, known in CHOICES.items():
                 if content[name] not in known:
                     raise BundleError(f"its {name.replace('_', ' ')} {content[name]!r} is unknown: {_ADVICE}")
             if missing := [entry.name for entry in fields(cls) if entry.name not in content]:
                 raise BundleError(f"it lacks {', '.join(missing)}: {_ADVICE}")
             return cls(**content)
-        except (json.JSONDecodeError, KeyError, TypeError) as error:
+        except (json.JSONDecodeError, KeyError, TypeError, AttributeError, ValueError) as error:
+            if isinstance(error, BundleError):
+                raise
             raise BundleError(f"it is no manifest of this version ({error!r}): {_ADVICE}") from error
 
 
@@ -177,8 +182,8 @@ def verify(folder: Path, manifest: Manifest) -> None:
     Raises:
         BundleError: a file is missing or differs.
     """
-    for name, expected in manifest.sha256.items():
-        path = folder / name
+    for name in (COORDINATE, ROTATION):
+        path, expected = folder / name, manifest.sha256.get(name, "")
         if not path.is_file():
             raise BundleError(f"{path} is missing: copy the whole bundle again, or export it again")
         if (found := sha256_of(path)) != expected:

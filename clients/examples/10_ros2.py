@@ -61,7 +61,7 @@ with connect(tuple(opened["zenoh"]["endpoints"]), timeout_s=10) as network:
     camera = network.declare_publisher(
         key_of("/camera/depth/points", POINTS), congestion_control=zenoh.CongestionControl.BLOCK
     )
-    while not camera.matching_status:
+    while not camera.matching_status.matching:
         time.sleep(0.01)
     clouds = zip(recording.clouds, recording.stamps_ns.tolist(), strict=True)
     for number, (cloud, stamp_ns) in enumerate(clouds, start=1):

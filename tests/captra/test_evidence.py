@@ -27,6 +27,19 @@ def test_agreement_is_the_rms_distance_and_what_is_near() -> None:
     np.testing.assert_array_equal(near, [True, False, False, True])
 
 
+def test_a_few_strays_do_not_spoil_the_agreement_of_the_others() -> None:
+    rng = np.random.default_rng(3)
+    points, noise = rng.standard_normal((1000, 3)), 0.02 * rng.standard_normal((1000, 3))
+    rms, _ = agreement(points + noise, points, 0.1)
+    assert rms == pytest.approx(0.02 * np.sqrt(3), rel=0.05)
+    noise[:40] += [1.0, 0.0, 0.0]
+    with_strays, near = agreement(points + noise, points, 0.1)
+    assert with_strays == pytest.approx(rms, rel=0.15)
+    assert np.count_nonzero(~near) == 40
+    noise[:200] += [1.0, 0.0, 0.0]
+    assert agreement(points + noise, points, 0.1)[0] > 10 * rms
+
+
 def test_the_box_of_a_pose_is_turned_and_moved_with_it() -> None:
     rng = np.random.default_rng(2)
     rotation, centre, size = axis_angle(np.array([1.0, 2.0, 3.0]), 0.7), np.array([0.1, 0.2, 0.5]), np.array([1, 2, 3])

@@ -77,6 +77,21 @@ def test_cloud_without_the_object_is_refused_and_changes_nothing() -> None:
     assert tracker.pose is truth
 
 
+def test_a_given_pose_is_remembered_however_late_the_object_comes() -> None:
+    """Before it is in the cloud the track is called lost; what the given pose told is used all the same."""
+    category, truth, cloud = scene("mug", np.random.default_rng(6))
+    start = replace(truth, translation=truth.translation + 0.004)
+    late, at_once = (Tracker(OracleNetworks(category, truth, start), start) for _ in range(2))
+    for _ in range(4):
+        with pytest.raises(NoPointsError):
+            late.step(np.zeros((3, 3), np.float32))
+    assert late.health.state is State.LOST
+    found, expected = late.step(cloud).pose, at_once.step(cloud).pose
+    assert not np.allclose(expected.translation, truth.translation, atol=1e-4), "the given pose tells nothing here"
+    np.testing.assert_array_equal(found.translation, expected.translation)
+    np.testing.assert_array_equal(found.size, expected.size)
+
+
 def test_nearly_empty_segmented_cloud_is_refused() -> None:
     rng = np.random.default_rng(7)
     category, truth, cloud = scene("scissors", rng)

@@ -61,6 +61,12 @@ def test_a_mask_loses_the_points_that_the_cloud_loses() -> None:
     assert pixels_of(organized.region).tolist() == [[1, 0]]
 
 
+def test_boxes_of_detectors_are_rounded_outwards_and_cut_off() -> None:
+    assert Box.around(-3.2, 1.5, 9.1, 70.0, columns=64, rows=48) == Box(0, 1, 10, 48)
+    with pytest.raises(ValueError, match="no pixel"):
+        Box.around(70.0, 1.0, 90.0, 20.0, columns=64, rows=48)
+
+
 def test_boxes_are_four_numbers() -> None:
     assert packer().pack(DepthImage(DEPTH), Box(3, 2, 64, 48)).region == PACKED_BOX.pack(3, 2, 64, 48)
     assert packer().pack(PointCloud2(b"message"), Box(0, 0, 1, 1)).region == PACKED_BOX.pack(0, 0, 1, 1)
@@ -98,6 +104,7 @@ REFUSED: dict[str, tuple[Callable[[], object], str]] = {
     "mask of other points": (lambda: packer().pack(POINTS, Mask(np.ones(3, np.bool_))), "one value for each point"),
     "box of a list": (lambda: packer().pack(POINTS, Box(0, 0, 1, 1)), "counts pixels"),
     "box beyond": (lambda: packer().pack(DepthImage(DEPTH), Box(0, 0, 65, 48)), "cut it at its edge"),
+    "box between pixels": (lambda: Box(3.5, 2, 64, 48), "Box.around"),  # type: ignore[arg-type]
     "width for right": (lambda: Box(30, 20, 10, 10), "not width and height"),
 }
 

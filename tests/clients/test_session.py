@@ -147,11 +147,26 @@ def reject_odd(service: FakeService, seq: int, points: np.ndarray) -> dict[str, 
     return at_centroid(service, seq, points)
 
 
-def test_a_rejected_cloud_raises_with_its_reason(first_pose: Pose) -> None:
-    with FakeService(reject_odd) as fake, open_session("mug", first_pose, url=fake.url) as session:
+@pytest.mark.parametrize(("reason", "first"), [("not-finite", cloud(0)), ("no-points-near-object", None)])
+def test_a_rejected_cloud_raises_with_its_reason(first_pose: Pose, reason: str, first: np.ndarray | None) -> None:
+    """One that shows nothing, if it is the first: cloud and pose are in different frames, most likely."""
+
+    def reject_small(service: FakeService, seq: int, points: np.ndarray) -> dict[str, object]:
+        if len(points) < 5:
+            return {"kind": "rejected", "reason": reason, "detail": "nothing is near the object"}
+        return at_centroid(service, seq, points)
+
+    sent = [cloud(0)[:3]] if first is None else [first, cloud(0)[:3]]
+    with FakeService(reject_small) as fake, open_session("mug", first_pose, url=fake.url) as session:
         with pytest.raises(clients.FrameRejectedError, match="nothing is near") as caught:
-            list(session.track([cloud(0), cloud(0)]))
-        assert (caught.value.seq, caught.value.reason) == (1, "no-points-near-object")
+            list(session.track(sent))
+        assert (caught.value.seq, caught.value.reason) == (len(sent) - 1, reason)
+
+
+@pytest.mark.parametrize("rate_hz", [None, 50.0])
+def test_an_object_out_of_sight_for_a_frame_does_not_end_the_track(first_pose: Pose, rate_hz: float | None) -> None:
+    with FakeService(reject_odd) as fake, open_session("mug", first_pose, url=fake.url) as session:
+        assert [result.seq for result in session.track([cloud(0)] * 5, rate_hz=rate_hz)] == [0, 2, 4]
 
 
 @pytest.mark.parametrize("rate_hz", [None, 50.0])

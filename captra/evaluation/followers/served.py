@@ -50,10 +50,11 @@ class Served:
         def step(cloud: np.ndarray, frame: int, last: Pose) -> Pose:
             if self.frame_noise:
                 tracker.displace(_disturbed(last, networks, rng, self.frame_noise))
-            states.append(states[-1])
-            result = tracker.step(cloud, time_s=1e-9 * recording.stamps_ns[frame])
-            states[-1] = result.state
-            return result.pose
+            states.append(State.TRACKING)
+            try:
+                return tracker.step(cloud, time_s=1e-9 * recording.stamps_ns[frame]).pose
+            finally:
+                states[-1] = tracker.health.state  # also of a frame that shows nothing
 
         return Track(follow(sequence, start, step), tuple(states[1:]))
 

@@ -69,12 +69,13 @@ def test_a_loss_counts_from_its_first_frame() -> None:
     quick = told([T, T, U, U, U, L, L, L, R, T], [1, 1, *[HIDDEN] * 6, 1, 1], 3, 9)
     never = told([T] * 10, [1, 1, *[90] * 8], 3, 3)
     brief = told([T] * 10, [1, 1, *[HIDDEN] * 4, 1, 1, 1, 1], 3, 7)
-    assert losses([quick, never, brief]) == [Loss(4), Loss(None)]
+    wrong = told([*[T] * 9, L], [90] * 10, 3, 3)
+    assert losses([quick, never, brief, wrong]) == [Loss(4), Loss(None), Loss(10)]
 
 
 def test_good_frames_called_lost_are_counted_outside_the_search() -> None:
-    one = told([T, L, T, *[L] * 6, T, T, L], [1, 1, 1, *[HIDDEN] * 6, 1, 1, 1], 4, 10)
-    assert false_alarms([one]) == Share(2, 5)
+    one = told([T, L, T, *[L] * 6, T, T, L, R], [1, 1, 1, *[HIDDEN] * 6, 1, 1, 1, 1], 4, 10)
+    assert false_alarms([one]) == Share(3, 6)
 
 
 def test_a_search_that_starts_from_a_wrong_pose_is_no_recovery() -> None:

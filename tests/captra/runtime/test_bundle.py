@@ -7,6 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from captra.runtime.bundle import (
+    COORDINATE,
+    ROTATION,
     BundleError,
     Manifest,
     MeshCredit,
@@ -71,14 +73,33 @@ def test_shapes_of_the_profiles_are_stated() -> None:
 def bundle(folder: Path, category: str = "mug") -> Path:
     path = folder / category
     path.mkdir(parents=True)
-    (path / "coordinate.onnx").write_bytes(b"weights")
-    write_manifest(path, replace(MANIFEST, sha256={"coordinate.onnx": sha256_of(path / "coordinate.onnx")}))
+    for name in (COORDINATE, ROTATION):
+        (path / name).write_bytes(b"weights")
+    write_manifest(path, replace(MANIFEST, sha256={name: sha256_of(path / name) for name in (COORDINATE, ROTATION)}))
     return path
 
 
 def test_a_whole_bundle_verifies(tmp_path: Path) -> None:
     path = bundle(tmp_path)
     verify(path, load_manifest(path))
+
+
+def test_files_whose_digest_is_not_told_do_not_verify(tmp_path: Path) -> None:
+    path = bundle(tmp_path)
+    write_manifest(path, replace(MANIFEST, sha256={COORDINATE: sha256_of(path / COORDINATE)}))
+    with pytest.raises(BundleError, match=r"rotation\.onnx is damaged"):
+        verify(path, load_manifest(path))
+
+
+@pytest.mark.parametrize(
+    "damage", ['"sha256": 5', '"training": []', '"rotation_share": 2', '"profiles": []', '"parts": 7']
+)
+def test_damaged_manifests_are_told(tmp_path: Path, damage: str) -> None:
+    path = bundle(tmp_path)
+    content = json.loads(MANIFEST.to_json()) | json.loads("{" + damage + "}")
+    (path / "manifest.json").write_text(json.dumps(content))
+    with pytest.raises(BundleError):
+        load_manifest(path)
 
 
 def test_one_flipped_bit_is_found(tmp_path: Path) -> None:
