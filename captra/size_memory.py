@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-from jaxtyping import Float64
+from jaxtyping import Bool, Float64, Int64
 
 from captra.geometry import Pose
 
@@ -35,36 +35,37 @@ class SizeMemory:
     """Of the measured scales, metres."""
     mean_log_size: Float64[np.ndarray, "parts 3"]
     """Of the measured boxes' sides, metres."""
-    frames: int = 0
-    """How many were measured."""
+    frames: Int64[np.ndarray, " parts"]
+    """How many were measured of each part: one that is hidden keeps its size, which measures nothing."""
 
     @staticmethod
     def of(given: Pose, given_error: float = GIVEN_ERROR) -> "SizeMemory":
         """Before the first frame: only the given pose is known."""
-        return SizeMemory(given, given_error, np.zeros(given.scale.shape), np.zeros(given.size.shape))
+        parts = given.num_parts
+        return SizeMemory(given, given_error, np.zeros(parts), np.zeros((parts, 3)), np.zeros(parts, np.int64))
 
-    def updated(self, measured: Pose) -> "SizeMemory":
-        """After one more frame."""
-        gain = 1 / (self.frames + 1)
+    def updated(self, measured: Pose, seen: Bool[np.ndarray, " parts"]) -> "SizeMemory":
+        """After one more frame in which some parts were seen."""
+        frames = self.frames + seen
+        gain = seen / np.maximum(frames, 1)
         log_size = np.log(np.maximum(measured.size, SMALLEST_SIDE_M))
         return replace(
             self,
             mean_log_scale=self.mean_log_scale + gain * (np.log(measured.scale) - self.mean_log_scale),
-            mean_log_size=self.mean_log_size + gain * (log_size - self.mean_log_size),
-            frames=self.frames + 1,
+            mean_log_size=self.mean_log_size + gain[:, None] * (log_size - self.mean_log_size),
+            frames=frames,
         )
 
     @property
     def scale(self) -> Float64[np.ndarray, " parts"]:
         """What is believed of the scale, metres."""
-        return self._weighed(self.given.scale, self.mean_log_scale, SCALE_ERROR)
+        return self._weighed(self.given.scale, self.mean_log_scale, SCALE_ERROR, self.frames)
 
     @property
     def size(self) -> Float64[np.ndarray, "parts 3"]:
         """What is believed of the box's sides, metres."""
-        return self._weighed(
-            self.given.size, self.mean_log_size, SIDE_ERROR * self.given.scale[:, None] / self.given.size
-        )
+        error = SIDE_ERROR * self.given.scale[:, None] / self.given.size
+        return self._weighed(self.given.size, self.mean_log_size, error, self.frames[:, None])
 
     def apply(self, measured: Pose, centroid: Float64[np.ndarray, "parts 3"]) -> Pose:
         """The measured pose at the remembered size.
@@ -81,12 +82,11 @@ class SizeMemory:
         given: Float64[np.ndarray, "*sides"],
         mean_log: Float64[np.ndarray, "*sides"],
         error: float | Float64[np.ndarray, "*sides"],
+        frames: Int64[np.ndarray, "..."],
     ) -> Float64[np.ndarray, "*sides"]:
         """Each counts by the inverse of its variance; a given size far from the measured one is doubted (Cauchy)."""
-        if not self.frames:
-            return given
-        measured_variance = error**2 + FRAME_ERROR**2 / self.frames
+        measured_variance = error**2 + FRAME_ERROR**2 / np.maximum(frames, 1)
         difference = mean_log - np.log(given)
         given_variance = self.given_error**2 * (1 + difference**2 / (4 * measured_variance))
         share = given_variance / (given_variance + measured_variance)
-        return np.asarray(given * np.exp(share * difference))
+        return np.where(frames > 0, given * np.exp(share * difference), given)

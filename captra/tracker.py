@@ -225,7 +225,7 @@ class Tracker:
     def _sized(self, found: Sighting) -> tuple[Pose, SizeMemory]:
         """What was found, in the gauge, at the size that the track would remember after it, around the points."""
         pose = hold_gauge(found.pose, self._pose, self._category)
-        size = self._size.updated(pose) if self._credible else self._size
+        size = self._size.updated(pose, found.evidence.fitted) if self._credible else self._size
         return contained(size.apply(pose, found.evidence.centroid), found.evidence), size
 
     def _placed(self, found: Sighting) -> Pose:

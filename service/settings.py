@@ -95,7 +95,8 @@ class Settings(BaseSettings):
     profile: ProfileName = "realtime"
     """Sampling budget of sessions that name none."""
     provider: str = "auto"
-    """Execution provider of ONNX Runtime; `auto` takes the best that is installed."""
+    """Execution provider of ONNX Runtime: `cpu`, `openvino` or `cuda`. `auto` is OpenVINO where it is installed and the
+    CPU multiplies in bfloat16, else the plain CPU: a GPU has to be named."""
     threads: int | None = Field(default=None, ge=1)
     """Threads of one network run; by default what the container's quota allows."""
     search_budget_ms: float = Field(default=100.0, ge=0, le=10_000, allow_inf_nan=False)

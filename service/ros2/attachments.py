@@ -4,7 +4,7 @@ import struct
 from dataclasses import dataclass
 
 from service.envelopes import ATTACHMENT
-from service.rejections import MalformedAttachmentError
+from service.rejections import MalformedAttachmentError, MissingAttachmentError
 
 GID_BYTES = 16
 RMW = struct.Struct(f"<qqB{GID_BYTES}s")
@@ -47,9 +47,14 @@ def seq_of(attachment: bytes | None) -> int | None:
 
     Raises:
         MalformedAttachmentError: the attachment has neither form.
+        MissingAttachmentError: it is empty.
     """
     if attachment is None:
         return None
+    if not attachment:
+        raise MissingAttachmentError(
+            f"the attachment is empty: rmw_zenoh sends {RMW.size} bytes, captra's clients {ATTACHMENT.size}"
+        )
     if len(attachment) == ATTACHMENT.size:
         seq: int = ATTACHMENT.unpack(attachment)[0]
         return seq

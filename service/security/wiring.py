@@ -55,6 +55,12 @@ def check_exposure(settings: Settings) -> None:
     for endpoint in settings.zenoh_listen:
         protected = mutual_tls and endpoint.partition("/")[0] in {"tls", "quic"}
         if not (protected or is_loopback(host_of(endpoint)) or clouds_need_secrets(settings)):
+            if settings.ros2:
+                raise ExposedError(
+                    f"anybody who reaches {endpoint} could put clouds, and publishers on topics know neither secrets "
+                    "nor certificates: keep the port within the robot's own network and set CAPTRA_ALLOW_OPEN=true, or "
+                    "listen on loopback"
+                )
             raise ExposedError(
                 f"anybody who reaches {endpoint} could put clouds: set cloud_secrets, api_keys, or zenoh_tls_* with a "
                 "tls/ endpoint (captra certify writes all that), or CAPTRA_ALLOW_OPEN=true if that is what you want"

@@ -13,10 +13,13 @@ def pose(scale: float = 0.2, size: tuple[float, float, float] = (0.1, 0.12, 0.1)
     return Pose(np.eye(3)[None], np.array([[0.0, 0, 1]]), np.array([scale]), np.array([size]))
 
 
+SEEN = np.ones(1, bool)
+
+
 def remembered(given: Pose, measured: Pose, frames: int) -> SizeMemory:
     memory = SizeMemory.of(given)
     for _ in range(frames):
-        memory = memory.updated(measured)
+        memory = memory.updated(measured, SEEN)
     return memory
 
 
@@ -47,14 +50,14 @@ def test_a_thin_side_is_measured_worse_than_a_long_one() -> None:
 
 @pytest.mark.parametrize(("given_error", "share"), [(0.0, 0.0), (1e3, 1.0)])
 def test_a_size_may_be_known_or_a_guess(given_error: float, share: float) -> None:
-    memory = SizeMemory.of(pose(0.2), given_error).updated(pose(0.3))
+    memory = SizeMemory.of(pose(0.2), given_error).updated(pose(0.3), SEEN)
     assert memory.scale[0] == pytest.approx(0.2 + 0.1 * share, rel=1e-3)
 
 
 def test_noise_averages_out() -> None:
     rng, memory = np.random.default_rng(0), SizeMemory.of(pose(0.2), 1e3)
     for _ in range(400):
-        memory = memory.updated(pose(0.2 * np.exp(0.1 * rng.standard_normal())))
+        memory = memory.updated(pose(0.2 * np.exp(0.1 * rng.standard_normal())), SEEN)
     assert memory.scale[0] == pytest.approx(0.2, rel=0.02)
 
 
@@ -78,3 +81,15 @@ def test_one_overestimated_frame_hardly_moves_a_track_and_a_reset_forgets_it() -
     assert 1 < tracker.step(cloud).pose.scale[0] / truth.scale[0] < 1.01
     tracker.reset(truth)
     np.testing.assert_array_equal(tracker.pose.scale, truth.scale)
+
+
+def test_frames_in_which_a_part_is_hidden_measure_nothing_of_it() -> None:
+    """What a hidden part keeps is the remembered size: taken for measured, it would be believed ever more."""
+    given, measured = pose(0.2), pose(0.25)
+    memory = remembered(given, measured, 20)
+    hidden = replace(given, scale=memory.scale, size=memory.size)
+    later = memory
+    for _ in range(100):
+        later = later.updated(hidden, np.zeros(1, bool))
+    np.testing.assert_array_equal(later.size, memory.size)
+    np.testing.assert_array_equal(later.scale, memory.scale)

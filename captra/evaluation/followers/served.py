@@ -23,7 +23,11 @@ AS_SEARCHED = LookBudget(4)
 
 @dataclass(frozen=True)
 class Served:
-    """The tracker as the service runs it: calibrated, and looking around while the track does not hold."""
+    """The tracker as the service runs it: calibrated, and looking around while the track does not hold.
+
+    By default the object is expected where it was, as in the paper; the service expects it where its velocity carries
+    it, which `captra health` measures beside this.
+    """
 
     label: str = "captra"
     """As tables name it."""
