@@ -37,6 +37,6 @@ ENV PATH=/opt/captra/bin:/usr/sbin:/usr/bin:/sbin:/bin \
 USER 10001:10001
 VOLUME /var/lib/captra
 EXPOSE 8080 7447
-HEALTHCHECK --interval=10s --timeout=5s --start-period=60s CMD ["captra", "status", "--quiet"]
+HEALTHCHECK --interval=30s --timeout=10s --start-period=60s CMD ["captra", "status", "--quiet"]
 ENTRYPOINT ["start.sh"]
 CMD ["serve"]

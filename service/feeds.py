@@ -6,6 +6,9 @@ from collections.abc import Callable
 
 import zenoh
 
+LONGEST_WAIT_S = 60.0
+"""A sample that seems to have waited longer was stamped before somebody set the clock."""
+
 
 class Feed:
     """Calls `take` with the newest sample; those that come meanwhile replace each other."""
@@ -46,4 +49,5 @@ def arrival_s(sample: zenoh.Sample, router_id: str) -> float:
     now_s, stamp = time.perf_counter(), sample.timestamp
     if stamp is None or str(stamp.get_id()) != router_id:
         return now_s
-    return now_s - max(0.0, time.time() - stamp.get_time().timestamp())
+    waited_s = time.time() - stamp.get_time().timestamp()
+    return now_s - waited_s if 0 <= waited_s <= LONGEST_WAIT_S else now_s

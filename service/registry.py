@@ -96,6 +96,7 @@ class Registry:
         self._lock = threading.Lock()
         self._open: dict[str, tuple[Session, Stream]] = {}
         self._beginning = 0
+        self._expiring = set[str]()
         self._stopped = False
 
     def open(self, new: NewSession) -> Session:
@@ -179,14 +180,21 @@ class Registry:
         self._store.remove(session_id)
 
     def sweep(self) -> None:
-        """End the sessions whose time is up."""
+        """End the sessions whose time is up, each on a thread of its own: a frame that hangs holds up no other."""
         for session in self.sessions():
             reason = session.liveness.expired()
-            if reason is not None:
-                try:
-                    self.close(session.session_id, reason)
-                except UnknownSessionError:
-                    continue  # someone else closed it first
+            if reason is not None and session.session_id not in self._expiring:
+                self._expiring.add(session.session_id)
+                name = f"captra-expiry-{session.session_id}"
+                threading.Thread(target=self._expire, args=(session.session_id, reason), name=name, daemon=True).start()
+
+    def _expire(self, session_id: str, reason: CloseReason) -> None:
+        try:
+            self.close(session_id, reason)
+        except UnknownSessionError:
+            pass  # someone else closed it first
+        finally:
+            self._expiring.discard(session_id)
 
     def drain(self, timeout_s: float) -> None:
         """Take no more sessions and no more clouds by Zenoh, and finish the frames in hand.

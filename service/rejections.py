@@ -231,6 +231,10 @@ class NotReadyError(RequestRejectedError, status=503):
     """The service is starting or stopping."""
 
 
+class RequestFailedError(RequestRejectedError, reason="internal-error", status=500):
+    """The request met a defect of the service."""
+
+
 class HinderedError(RequestRejectedError, status=503):
     """The service cannot get ready: it has no model, or preparation failed; waiting does not help."""
 

@@ -152,7 +152,9 @@ class ZenohTransport:
         if session is None:
             return
         if there:
-            session.client_there()
+            session.liveness.client_back()
+            name = f"captra-client-{session.session_id}"  # a frame that hangs must not keep others' tokens waiting
+            threading.Thread(target=session.client_there, name=name, daemon=True).start()
         else:
             logger.info("client token gone", extra={"session_id": session.session_id})
             session.liveness.client_gone()

@@ -51,6 +51,7 @@ class SqliteSessionStore:
         self._on_failure: Callable[[], None] = lambda: None
         self._poses_fail = False
         self._pending: dict[str, TrustedPose] = {}
+        self._unremoved = set[str]()
         self._lock = threading.Lock()  # of what is pending; never held while the disk works
         self._writing = threading.Lock()
         self._stopped = threading.Event()
@@ -89,8 +90,10 @@ class SqliteSessionStore:
             self._pending.pop(session_id, None)
         try:
             self._write("DELETE FROM sessions WHERE session_id = ?", [(session_id,)])
-        except sqlite3.Error:  # it is over all the same; after a restart it idles until it expires
-            logger.exception("session not removed from the store", extra={"session_id": session_id})
+        except sqlite3.Error:  # it is over all the same, and removed once the disk takes it
+            logger.exception("session not removed from the store yet", extra={"session_id": session_id})
+            with self._lock:
+                self._unremoved.add(session_id)
 
     def load(self) -> Sequence[SessionRecord]:
         """Every session, oldest first; a row that cannot be read is left where it is."""
@@ -109,6 +112,7 @@ class SqliteSessionStore:
 
     def flush(self) -> None:
         """Write what is pending; what cannot be written stays pending, unless there is something newer by then."""
+        self._remove_belatedly()
         with self._lock:
             pending, self._pending = self._pending, {}
         if not pending:
@@ -126,6 +130,19 @@ class SqliteSessionStore:
             if self._poses_fail:
                 logger.info("trusted poses stored again")
             self._poses_fail = False
+
+    def _remove_belatedly(self) -> None:
+        with self._lock:
+            unremoved = sorted(self._unremoved)
+        if not unremoved:
+            return
+        try:
+            self._write("DELETE FROM sessions WHERE session_id = ?", [(session_id,) for session_id in unremoved])
+        except sqlite3.Error:
+            return  # it was told when they were closed
+        with self._lock:
+            self._unremoved.difference_update(unremoved)
+        logger.info("sessions removed from the store", extra={"session_ids": unremoved})
 
     def close(self) -> None:
         """Write what is pending and let go of the file; once is enough, more does no harm."""
@@ -189,6 +206,8 @@ def explain(path: Path, error: sqlite3.Error) -> str:
             f"another service process keeps its sessions in {path}: stop it, "
             "or give this one another CAPTRA_STATE_DIR or CAPTRA_SERVICE"
         )
+    if "full" in str(error):
+        return f"sessions cannot be kept in {path} ({error}): free space on its disk, or set another CAPTRA_STATE_DIR"
     return f"sessions cannot be kept in {path} ({error}): move the file away, or set another CAPTRA_STATE_DIR"
 
 

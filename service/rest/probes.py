@@ -11,12 +11,14 @@ from service.rest.problems import documented
 router = APIRouter(tags=["operations"])
 
 
+@router.head("/v1/health/live", include_in_schema=False)
 @router.get("/v1/health/live", responses=documented(guarded=False))
 async def live() -> Health:
     """Whether the process answers."""
     return Health(status="live")
 
 
+@router.head("/v1/health/ready", include_in_schema=False)
 @router.get("/v1/health/ready", responses=documented(NotReadyError, HinderedError, guarded=False))
 async def ready(service: Service) -> Health:
     """Whether tracking can start at once: kernels compiled, models loaded, not stopping."""
@@ -24,6 +26,7 @@ async def ready(service: Service) -> Health:
     return Health(status="ready")
 
 
+@router.head("/metrics", include_in_schema=False)
 @router.get(
     "/metrics",
     response_class=Response,

@@ -22,6 +22,7 @@ from service.rejections import (
     Mistake,
     NotFoundError,
     RejectedError,
+    RequestFailedError,
     UnauthorizedError,
 )
 
@@ -164,4 +165,4 @@ async def _left(request: Request, error: Exception) -> Response:  # noqa: ARG001
 
 
 async def _defect(request: Request, error: Exception) -> Response:  # noqa: ARG001 - the log has it
-    return answer(request, InternalError("the service failed on this request; its log tells why"))
+    return answer(request, RequestFailedError("the service failed on this request; its log tells why"))

@@ -111,8 +111,12 @@ def test_service_of_the_command_line_serves_without_torch(tmp_path: Path) -> Non
     endpoint = free_endpoint()
     arguments = ("--port", "0", "--zenoh-listen", endpoint, "--models-dir", str(tmp_path), "--ros2")
     script = f"""
-import atexit, sys, typer
-atexit.register(lambda: print("torch" in sys.modules, "onnxruntime" in sys.modules))
+import os, sys, typer
+end = os._exit
+def tell(status):
+    print("torch" in sys.modules, "onnxruntime" in sys.modules, flush=True)
+    end(status)
+os._exit = tell
 import onnxruntime
 from service.cli import serve
 sys.argv = ["serve", *{arguments!r}]

@@ -146,6 +146,21 @@ def test_unreadable_session_costs_no_other(tmp_path: Path) -> None:
     connection.close()
 
 
+def test_what_could_not_be_removed_is_removed_once_the_disk_takes_it(tmp_path: Path) -> None:
+    store = SqliteSessionStore(tmp_path / "sessions.sqlite", flush_every_s=0.02)
+    store.save(record("gone", 1))
+    store.save(record("stays", 2))
+    store._connection.execute("PRAGMA query_only = ON")  # as a disk that is full
+    store.remove("gone")
+    assert [each.session_id for each in store.load()] == ["gone", "stays"]
+    store._connection.execute("PRAGMA query_only = OFF")
+    deadline_s = time.monotonic() + 10
+    while len(store.load()) > 1 and time.monotonic() < deadline_s:
+        time.sleep(0.02)
+    assert [each.session_id for each in store.load()] == ["stays"]
+    store.close()
+
+
 def test_session_that_cannot_be_stored_is_not_promised_and_every_failure_is_told(
     tmp_path: Path, caplog: pytest.LogCaptureFixture
 ) -> None:
