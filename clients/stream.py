@@ -4,6 +4,7 @@ import json
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from threading import Event, Thread
+from typing import Any
 
 import zenoh
 
@@ -116,7 +117,8 @@ def wait_for_subscriber(publisher: zenoh.Publisher, timeout_s: float) -> None:
             matched.set()
 
     with publisher.declare_matching_listener(notice):
-        if not (publisher.matching_status.matching or matched.wait(timeout_s)):
+        status: Any = publisher.matching_status  # its type says that it is a bool, which it is not
+        if not (status.matching or matched.wait(timeout_s)):
             raise ServiceUnreachableError(
                 f"nobody listens on {publisher.key_expr}: the service's Zenoh router is reached, "
                 "but the session is not there; open it again"

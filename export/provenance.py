@@ -42,17 +42,13 @@ def with_network(training: Training, name: NetworkName, checkpoint: Path) -> Tra
         CheckpointError: it is no checkpoint.
     """
     info = training_info(checkpoint)
-    told = (
-        {"steps": _steps(info), "commit": str(info.get("commit", "")), "seed": info.get("seed")}
-        if name == "coordinate"
-        else {}
-    )
     meshes = (*training.meshes, *(MeshCredit(**mesh) for mesh in info.get("meshes", ())))
+    if name == "coordinate":
+        training = replace(training, steps=_steps(info), commit=str(info.get("commit", "")), seed=info.get("seed"))
     return replace(
         training,
         meshes=tuple({mesh.name: mesh for mesh in meshes}.values()),
         details={**training.details, name: _without(info, *TOLD_ELSEWHERE)},
-        **told,
     )
 
 

@@ -58,7 +58,7 @@ class HttpServer(uvicorn.Server):
     def stop(self, within_s: float | None = None) -> None:
         """Finish the requests in hand, then return from `run`; what takes longer than `within_s` is broken off."""
         if within_s is not None:
-            self.config.timeout_graceful_shutdown = within_s  # type: ignore[assignment] - it takes any number
+            self.config.timeout_graceful_shutdown = within_s  # type: ignore[assignment]  # it takes any number
         self.should_exit = True
 
     @contextlib.contextmanager

@@ -18,7 +18,7 @@ from rosbags.typesys import Stores, get_typestore
 
 from captra.data.recordings import load_recording
 from clients.rest import RestApi, session_body
-from clients.stream import connect
+from clients.stream import connect, wait_for_subscriber
 
 POINTS, TRANSFORMS = "sensor_msgs/msg/PointCloud2", "tf2_msgs/msg/TFMessage"
 FLOAT32 = 7
@@ -61,8 +61,7 @@ with connect(tuple(opened["zenoh"]["endpoints"]), timeout_s=10) as network:
     camera = network.declare_publisher(
         key_of("/camera/depth/points", POINTS), congestion_control=zenoh.CongestionControl.BLOCK
     )
-    while not camera.matching_status.matching:
-        time.sleep(0.01)
+    wait_for_subscriber(camera, timeout_s=10)
     clouds = zip(recording.clouds, recording.stamps_ns.tolist(), strict=True)
     for number, (cloud, stamp_ns) in enumerate(clouds, start=1):
         attachment = struct.pack("<qqB", number, time.time_ns(), len(publisher_id)) + publisher_id

@@ -276,7 +276,8 @@ class Camera:
         )
         matched = threading.Event()
         with self._publisher.declare_matching_listener(lambda status: matched.set() if status.matching else None):
-            assert self._publisher.matching_status.matching or matched.wait(TIMEOUT_S)
+            status: Any = self._publisher.matching_status  # no bool, whatever its type says
+            assert status.matching or matched.wait(TIMEOUT_S)
 
     def put(
         self, payload: bytes, seq: int = 0, stamp_ns: int = STAMP_NS, encoding: str | None = None, **options: Any
