@@ -10,7 +10,6 @@ from jaxtyping import Float, Float64
 
 from captra.categories import Category
 from captra.fitting import mean_rotation, rotation_about_axis
-from captra.geometry import Pose
 
 
 class JointProjection(Protocol):
@@ -43,18 +42,6 @@ class OntoAxes:
 
     axes: Mapping[str, tuple[float, float, float]] = field(default_factory=dict)
     """Joint name → its axis in the parent's frame; the category's own axis where a joint is not named."""
-    at_rest: Mapping[str, Float64[np.ndarray, "3 3"]] = field(default_factory=dict)
-    """Joint name → R_parent_child of the joint at zero; identity where a joint is not named."""
-
-    @staticmethod
-    def learned_from(pose: Pose, category: Category) -> "OntoAxes":
-        """The joints of a given pose: what R_parent_child has beside the turn about the axis stays."""
-        at_rest = {}
-        for joint in category.joints:
-            relative = pose.rotation[joint.parent].T @ pose.rotation[joint.child]
-            turn = rotation_about_axis(relative, np.array(joint.axis)) if joint.kind == "revolute" else np.eye(3)
-            at_rest[joint.name] = turn.T @ relative
-        return OntoAxes(at_rest=at_rest)
 
     def __call__(
         self, rotation: Float64[np.ndarray, "parts 3 3"], category: Category
@@ -63,11 +50,10 @@ class OntoAxes:
         projected = np.array(rotation, np.float64)
         for joint in category.joints:
             parent = projected[joint.parent]
-            at_rest = self.at_rest.get(joint.name, np.eye(3))
             axis: Float[np.ndarray, "3"] = np.array(self.axes.get(joint.name, joint.axis))
-            turned = parent.T @ projected[joint.child] @ at_rest.T
-            turn = rotation_about_axis(turned, axis) if joint.kind == "revolute" else np.eye(3)
-            projected[joint.child] = parent @ turn @ at_rest
+            relative = parent.T @ projected[joint.child]
+            turn = rotation_about_axis(relative, axis) if joint.kind == "revolute" else np.eye(3)
+            projected[joint.child] = parent @ turn
         return projected
 
 

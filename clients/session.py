@@ -86,6 +86,9 @@ def open_session(
     """
     if isinstance(record, bool):
         raise ValueError("record is the file to write: the service records with record_in_service=True")
+    for name, value, kind in (("camera", camera, Camera), ("smoothing", smoothing, Smoothing), ("ros2", ros2, Ros2)):
+        if not isinstance(value, kind | None):
+            raise ValueError(f"{name} is a clients.{kind.__name__}(...), not {type(value).__name__}")
     packer = Packer(get_encoding(encoding), camera, masks)
     options = SessionOptions(
         profile=profile,

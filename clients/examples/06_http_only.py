@@ -21,7 +21,10 @@ parts = [
 ]
 
 with httpx.Client(base_url=os.environ.get("CAPTRA_URL", "http://127.0.0.1:8080"), timeout=30) as http:
-    opened = http.post("/v1/sessions", json={"category": "mug", "parts": parts}).raise_for_status().json()
+    answer = http.post("/v1/sessions", json={"category": str(stored["category"]), "parts": parts})
+    if not answer.is_success:
+        sys.exit(answer.json()["detail"])
+    opened = answer.json()
     path = f"/v1/sessions/{opened['session_id']}"
     starts = stored["offsets"]
     for seq, stamp_ns in enumerate(stored["stamp_ns"]):

@@ -18,7 +18,7 @@ from captra.segmentation import BACKGROUND, NOTHING_KNOWN, OBJECT, Box, LabelIma
 from service.camera import Camera
 from service.codecs.depth import read_png
 from service.envelopes import ATTACHMENT, Envelope
-from service.rejections import FrameRejectedError, MalformedMaskError
+from service.rejections import FrameRejectedError, MalformedMaskError, WrongImageSizeError
 
 BOX = struct.Struct("<4H")
 """First column, first row, and the column and row behind the last ones."""
@@ -96,6 +96,11 @@ class Masks:
         camera = Camera(Intrinsics(1, 1, 0, 0), 1.0, width, height)
         try:
             image = read_png(mask, "L", camera, width * height)
+        except WrongImageSizeError:
+            raise MalformedMaskError(
+                f"the mask has other columns or rows than what it goes with, {width} × {height}: one pixel for each of "
+                "the image or organized cloud; one row of a list of points"
+            ) from None
         except FrameRejectedError as error:
             raise MalformedMaskError(f"the mask is not {width} × {height} pixels of 8-bit grey PNG: {error}") from error
         return LabelImage(self.meaning(image))

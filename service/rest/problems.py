@@ -125,9 +125,16 @@ async def _refused(request: Request, error: Exception) -> Response:
 
 def remark(entry: Mapping[str, Any]) -> str:
     """What is wrong with one field, as pydantic found it."""
-    if entry["type"] == "extra_forbidden":
-        return "there is no such field: leave it out, or correct its name"
-    return str(entry["msg"])
+    match entry["type"]:
+        case "extra_forbidden":
+            return "there is no such field: leave it out, or correct its name"
+        case "model_attributes_type" | "model_type" | "dict_type":
+            return "it is no JSON object, {…}"
+        case "json_invalid":
+            return f"it is no JSON ({entry.get('ctx', {}).get('error', 'it ends too soon')})"
+        case "string_pattern_mismatch":
+            return f"it does not match {entry['ctx']['pattern']}"
+    return str(entry["msg"]).removeprefix("Value error, ")
 
 
 async def _invalid(request: Request, error: Exception) -> Response:

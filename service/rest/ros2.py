@@ -21,7 +21,8 @@ def check_name_free(body: NewSession, sessions: Iterable[Session]) -> None:
         if name is not None and session.record.ros2 is not None and session.record.ros2.name == name:
             raise InvalidRequestError(
                 Mistake(
-                    "/body/ros2/name", f"session {session.session_id} is called {name!r} already: choose another name"
+                    "/body/ros2/name",
+                    f"session {session.session_id} is called {name!r} already: choose another name, or DELETE it",
                 )
             )
 

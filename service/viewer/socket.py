@@ -12,6 +12,7 @@ from starlette.websockets import WebSocketDisconnect
 
 from service.codecs import build_codecs
 from service.rejections import ForbiddenError, RejectedError
+from service.rest.problems import remark
 from service.security.access import Caller, Permission
 from service.tracking_service import TrackingService
 from service.viewer.clouds import encode
@@ -104,8 +105,12 @@ class Viewer:
             try:
                 wish = WISHES.validate_json(await self._received())
                 await anyio.to_thread.run_sync(self._heed, wish)
-            except (RejectedError, ValidationError) as error:
+            except RejectedError as error:
                 self._outbox.put_message(orjson.dumps({"type": "refused", "detail": str(error)}))
+            except ValidationError as error:
+                where, what = error.errors()[0]["loc"], remark(error.errors()[0])
+                detail = f"/{'/'.join(map(str, where))}: {what}"
+                self._outbox.put_message(orjson.dumps({"type": "refused", "detail": detail}))
 
     async def _received(self) -> str | bytes:
         """The next message, text or not; raises WebSocketDisconnect."""

@@ -48,6 +48,9 @@ OPENING: dict[str, tuple[dict[str, Any], type[Exception], str]] = {
     "parts that do not match": ({"pose": pose(rotation=np.tile(UNTURNED, (2, 1, 1)))}, ValueError, "one entry a part"),
     "not seen": ({"pose": pose(translation=np.nan * CENTRE)}, ValueError, "holds NaN .*was the object not seen"),
     "encoding": ({"encoding": "f64"}, ValueError, "use one of i16, f32"),
+    "record as the service takes it": ({"record": True}, ValueError, "record_in_service=True"),
+    "camera as JSON": ({"camera": {"fx": 590}}, ValueError, r"camera is a clients\.Camera"),
+    "smoothing as JSON": ({"smoothing": {}}, ValueError, r"smoothing is a clients\.Smoothing"),
     "profile": ({"profile": "fast"}, RequestRefusedError, "'realtime' or 'paper'"),
     "masks": ({"masks": "objects"}, RequestRefusedError, "'object' or 'parts'"),
     "camera of centimetres": (
