@@ -198,8 +198,10 @@ class Recordings:
 
     def _finished(self, name: str) -> None:
         with self._lock:
-            path = self._folder / (name + UNFINISHED)
-            path.rename(self._folder / (name + WHOLE))
+            try:
+                (self._folder / (name + UNFINISHED)).rename(self._folder / (name + WHOLE))
+            except FileNotFoundError:
+                logger.warning("recording was deleted while it was written", extra={"recording": name})
             self._changes += 1
             self._let_go(name)
 

@@ -341,3 +341,13 @@ def test_no_listing_overlooks_a_recording_that_becomes_whole_meanwhile(tmp_path:
         while not done.done():
             assert sorted(each.name for each in recordings.all()) == sorted(names)
     assert all(each.finished for each in recordings.all())
+
+
+def test_a_recording_that_somebody_deletes_while_it_is_written_is_let_go(recording: Running, folder: Path) -> None:
+    session_id = recording.open_session(record=True)["session_id"]
+    (folder / f"mug_{session_id}.mcap.part").unlink()
+    recording.http.delete(f"/v1/sessions/{session_id}")
+    assert names(recording) == []
+    session_id = recording.open_session(record=True)["session_id"]
+    recording.http.delete(f"/v1/sessions/{session_id}")
+    assert [(entry["name"], entry["finished"]) for entry in names(recording)] == [(f"mug_{session_id}", True)]
