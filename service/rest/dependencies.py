@@ -16,6 +16,8 @@ Answer = TypeVar("Answer")
 
 MOST_FRAMES = 64
 """Frames of one session that may be in hand or wait by HTTP."""
+MOST_BYTES = 512 * 2**20
+"""What the bodies of all frames that are in hand or wait by HTTP may take of the memory, of all sessions together."""
 
 
 def get_service(request: Request) -> TrackingService:
@@ -28,6 +30,23 @@ Service = Annotated[TrackingService, Depends(get_service)]
 SessionId = Annotated[str, Path(description="As `POST /v1/sessions` answered.", max_length=100)]
 
 
+class Held:
+    """Memory that one frame takes while it arrives and waits."""
+
+    def __init__(self, reserve: Callable[[int], None]) -> None:
+        self._reserve = reserve
+        self._bytes = 0
+
+    def grow_to(self, size_bytes: int) -> None:
+        """Take so much in all.
+
+        Raises:
+            TooManyFramesError: there is not so much left.
+        """
+        self._reserve(size_bytes - self._bytes)
+        self._bytes = size_bytes
+
+
 class Workers:
     """Threads for work that takes more than a moment, so that the event loop stays free."""
 
@@ -36,9 +55,10 @@ class Workers:
         self._turns: WeakKeyDictionary[Session, anyio.Lock] = WeakKeyDictionary()
         self._places: WeakKeyDictionary[Session, anyio.Semaphore] = WeakKeyDictionary()
         self._naming = anyio.Lock()
+        self._held_bytes = 0
 
     @contextmanager
-    def place(self, session: Session) -> Iterator[None]:
+    def place(self, session: Session) -> Iterator[Held]:
         """A place among the frames of one session, whose bodies take memory while they wait.
 
         Raises:
@@ -52,10 +72,20 @@ class Workers:
                 f"{MOST_FRAMES} frames of session {session.session_id} wait already, which is the limit: "
                 "wait for their results before you send more"
             ) from None
+        held = Held(self._reserve)
         try:
-            yield
+            yield held
         finally:
+            held.grow_to(0)
             places.release()
+
+    def _reserve(self, more_bytes: int) -> None:
+        if more_bytes > 0 and self._held_bytes + more_bytes > MOST_BYTES:
+            raise TooManyFramesError(
+                f"frames of all sessions that wait take the {MOST_BYTES} bytes that they may: "
+                "wait for their results before you send more"
+            )
+        self._held_bytes += more_bytes
 
     def turn(self, session: Session) -> anyio.Lock:
         """What work on one session takes turns by: whoever waits for it takes no thread from others meanwhile."""

@@ -1,6 +1,7 @@
 """Clouds by HTTP, for clients without Zenoh: the answer is the result."""
 
 import time
+from contextlib import ExitStack
 from functools import partial
 from typing import Annotated
 
@@ -31,7 +32,7 @@ from service.rejections import (
     WrongImageSizeError,
 )
 from service.rest.bodies import discard_body, read_body
-from service.rest.dependencies import OnThread, OpenSession, Workers
+from service.rest.dependencies import Held, OnThread, OpenSession, Workers
 from service.rest.forms import MULTIPART, WITH_MASK, frame_of
 from service.rest.outputs import Result
 from service.rest.problems import CLIENT_LEFT, documented
@@ -106,20 +107,32 @@ async def post_frame(
     looks: Looks = None,
 ) -> Response:
     """Track the object in one cloud; `Content-Type` names its encoding."""
-    try:
-        with threads.place(session):
-            return await answer_of(session, request, threads, pack_attachment(seq, stamp_ns), box, looks)
-    except TooManyFramesError:
-        await discard_body(request)
-        raise
+    with ExitStack() as until_answered:
+        try:
+            held = until_answered.enter_context(threads.place(session))
+        except TooManyFramesError:
+            await discard_body(request)
+            raise
+        return await answer_of(session, request, threads, held, pack_attachment(seq, stamp_ns), box, looks)
 
 
 async def answer_of(
-    session: Session, request: Request, threads: Workers, attachment: bytes, box: str | None, looks: int | None
+    session: Session,
+    request: Request,
+    threads: Workers,
+    held: Held,
+    attachment: bytes,
+    box: str | None,
+    looks: int | None,
 ) -> Response:
     """The result of the frame in a request, when its turn has come; nothing for a client that left meanwhile."""
+
+    def take(size_bytes: int) -> None:
+        session.codecs.check_size(size_bytes)
+        held.grow_to(size_bytes)
+
     try:
-        payload = await read_body(request, session.codecs.check_size)
+        payload = await read_body(request, take)
     except PayloadTooLargeError as rejection:
         await threads.run_in_turn(session, partial(session.refuse, rejection))
         raise

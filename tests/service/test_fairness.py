@@ -12,6 +12,7 @@ import httpx
 import pytest
 import zenoh
 
+from service.rest import dependencies
 from service.rest.dependencies import MOST_FRAMES, Workers
 from tests.service.support import F32, TIMEOUT_S, Camera, Running, blob, f32, inbox, running, wait_until, zenoh_client
 
@@ -53,6 +54,26 @@ def test_more_frames_than_may_wait_for_one_session_are_refused(service: Running)
     assert service.metric('captra_requests_rejected_total{reason="too-many-frames"}') == more
     assert service.session(session_id)["counters"]["received"] == MOST_FRAMES
     assert service.post_frame(session_id, f32(blob()), MOST_FRAMES + more).status_code == 200
+
+
+def test_frames_that_wait_take_so_much_memory_and_no_more(service: Running, monkeypatch: pytest.MonkeyPatch) -> None:
+    cloud = f32(blob())
+    monkeypatch.setattr(dependencies, "MOST_BYTES", 3 * len(cloud))
+    sessions = [service.open_session()["session_id"] for _ in range(2)]
+    networks = service.provider.networks["mug"]
+    networks.gate.clear()
+    with ThreadPoolExecutor(8) as pool:
+        sent = [pool.submit(service.post_frame, sessions[seq % 2], cloud, seq) for seq in range(5)]
+        try:
+            refused = [answer.result() for answer in itertools.islice(as_completed(sent, timeout=TIMEOUT_S), 2)]
+        finally:
+            networks.gate.set()
+        answers = [answer.result() for answer in sent]
+    assert {(answer.status_code, answer.json()["reason"]) for answer in refused} == {(429, "too-many-frames")}
+    assert [answer.status_code for answer in answers].count(429) == 2
+    for _ in range(3):
+        assert service.post_frame(sessions[0], cloud[:-1], 9).status_code == 422
+    assert service.post_frame(sessions[0], cloud, 10).status_code == 200, "what is done takes no memory any more"
 
 
 def test_frames_of_clients_that_left_are_not_tracked(service: Running) -> None:
