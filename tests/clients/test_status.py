@@ -15,7 +15,7 @@ def test_it_tells_what_can_be_tracked_and_how_sessions_are(capsys: pytest.Captur
         assert "No session is open" in capsys.readouterr().out
         opened = service.open_session()
         assert service.post_frame(opened["session_id"], f32(blob())).status_code == 200
-        assert service.post_frame(opened["session_id"], b"").status_code == 422
+        assert service.post_frame(opened["session_id"], b"", seq=1).status_code == 422
         status(url)
         shown = capsys.readouterr().out
         for expected in ("is ready", "mug: float32", opened["session_id"], "1 of 2 frames", "1 × empty-cloud"):

@@ -8,7 +8,12 @@ from hypothesis import strategies as st
 from captra.observations import Observation
 from service.codecs import CDR, build_codecs
 from service.envelopes import Envelope, pack_attachment
-from service.rejections import MalformedAttachmentError, UnknownEncodingError, UnsupportedFieldsError
+from service.rejections import (
+    MalformedAttachmentError,
+    MissingAttachmentError,
+    UnknownEncodingError,
+    UnsupportedFieldsError,
+)
 from service.ros2.attachments import RmwAttachment
 from service.ros2.messages import type_hash
 from tests.service.ros2.clouds import STAMP_NS, XYZ, cdr
@@ -77,10 +82,15 @@ def test_stamp_and_frame_come_from_the_message_and_the_number_from_beside_it(
     assert frame.header.frame_id == "camera_depth_optical_frame"
 
 
-@pytest.mark.parametrize("attachment", [b"", bytes(8), bytes(32), bytes(33), bytes(34)])
+@pytest.mark.parametrize("attachment", [bytes(8), bytes(32), bytes(33), bytes(34)])
 def test_other_attachments_are_malformed(attachment: bytes) -> None:
     with pytest.raises(MalformedAttachmentError):
         CODECS.open(Envelope(CDR, cdr(POINTS), attachment, 0.0))
+
+
+def test_an_empty_attachment_is_missing() -> None:
+    with pytest.raises(MissingAttachmentError):
+        CODECS.open(Envelope(CDR, cdr(POINTS), b"", 0.0))
 
 
 @pytest.mark.parametrize("parameters", ["", ";sensor_msgs/msg/PointCloud2", "; schema=sensor_msgs/msg/PointCloud2"])
