@@ -162,6 +162,11 @@ class Running:
         raise KeyError(name)
 
 
+def wait_until_heard(network: zenoh.Session) -> None:
+    """Until the router knows of everything that was declared so far: what it answers, it answers afterwards."""
+    list(network.liveliness().get("captra/**"))
+
+
 def free_endpoint() -> str:
     """A Zenoh endpoint on loopback that nobody listens on."""
     with socket.create_server(("127.0.0.1", 0)) as listener:

@@ -24,6 +24,7 @@ from tests.service.support import (
     late_inbox,
     running,
     session_body,
+    wait_until_heard,
     zenoh_client,
 )
 
@@ -95,6 +96,7 @@ def test_a_session_that_is_gone_on_with_is_in_doubt_until_a_frame_tells() -> Non
         assert second.metric('captra_sessions{state="uncertain"}') == 1
         assert second.metric('captra_sessions{state="tracking"}') == 0
         events = inbox(network, f"captra/default/sessions/{session_id}/event")
+        wait_until_heard(network)
         opened = second.open_session()
         assert opened["state"] == "tracking"  # a client has just said where that object is
         assert second.post_frame(session_id, f32(blob()), 10).json()["state"] == "tracking"
@@ -109,6 +111,7 @@ def test_a_session_that_is_gone_on_with_and_sees_nothing_is_never_called_trackin
     with running("mug", store=store, endpoint=endpoint) as second, zenoh_client(endpoint) as network:
         assert second.service.readiness.wait_prepared(60)
         poses, events = (inbox(network, f"captra/default/sessions/{session_id}/{key}") for key in ("pose", "event"))
+        wait_until_heard(network)
         states = []
         for seq in range(6):
             assert second.post_frame(session_id, f32(blob((5, 5, 5))), seq).status_code == 422
