@@ -5,7 +5,7 @@ import secrets
 import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 
 from captra.geometry import Pose
@@ -96,7 +96,6 @@ class Registry:
         self._lock = threading.Lock()
         self._open: dict[str, tuple[Session, Stream]] = {}
         self._beginning = 0
-        self._expiring = set[str]()
         self._stopped = False
 
     def open(self, new: NewSession) -> Session:
@@ -126,7 +125,8 @@ class Registry:
             secret_sha256=new.secret_sha256,
             options=new.options,
         )
-        session = self._begin(record, self._recordings.start, Reporter.given)
+        with self._place():
+            session = self._begin(record, self._recordings.start, Reporter.given)
         try:
             self._store.save(record)
         except StoreError as error:
@@ -143,7 +143,8 @@ class Registry:
                 continue
             about = {"session_id": record.session_id, "category": record.category}
             try:
-                self._begin(record, self._recordings.go_on, Reporter.gone_on_with)
+                with self._place():
+                    self._begin(record, self._recordings.go_on, Reporter.gone_on_with)
             except RejectedError as rejection:  # it stays stored: the next process may have its model
                 logger.error("session not restored: %s", rejection, extra=about)
             else:
@@ -183,18 +184,13 @@ class Registry:
         """End the sessions whose time is up, each on a thread of its own: a frame that hangs holds up no other."""
         for session in self.sessions():
             reason = session.liveness.expired()
-            if reason is not None and session.session_id not in self._expiring:
-                self._expiring.add(session.session_id)
+            if reason is not None:
                 name = f"captra-expiry-{session.session_id}"
                 threading.Thread(target=self._expire, args=(session.session_id, reason), name=name, daemon=True).start()
 
     def _expire(self, session_id: str, reason: CloseReason) -> None:
-        try:
+        with suppress(UnknownSessionError):  # someone else closed it first, or the sweep before this one
             self.close(session_id, reason)
-        except UnknownSessionError:
-            pass  # someone else closed it first
-        finally:
-            self._expiring.discard(session_id)
 
     def drain(self, timeout_s: float) -> None:
         """Take no more sessions and no more clouds by Zenoh, and finish the frames in hand.
@@ -224,15 +220,6 @@ class Registry:
             self._end(session, stream, CloseReason.SHUTDOWN)
 
     def _begin(
-        self,
-        record: SessionRecord,
-        tape_of: Callable[[SessionRecord], Tape],
-        first_result: Callable[[Reporter, Pose], Result],
-    ) -> Session:
-        with self._place():
-            return self._begin_there(record, tape_of, first_result)
-
-    def _begin_there(
         self,
         record: SessionRecord,
         tape_of: Callable[[SessionRecord], Tape],

@@ -89,7 +89,7 @@ class SqliteSessionStore:
         with self._lock:
             self._pending.pop(session_id, None)
         try:
-            self._write("DELETE FROM sessions WHERE session_id = ?", [(session_id,)])
+            self._delete([session_id])
         except sqlite3.Error:  # it is over all the same, and removed once the disk takes it
             logger.exception("session not removed from the store yet", extra={"session_id": session_id})
             with self._lock:
@@ -137,7 +137,7 @@ class SqliteSessionStore:
         if not unremoved:
             return
         try:
-            self._write("DELETE FROM sessions WHERE session_id = ?", [(session_id,) for session_id in unremoved])
+            self._delete(unremoved)
         except sqlite3.Error:
             return  # it was told when they were closed
         with self._lock:
@@ -153,6 +153,9 @@ class SqliteSessionStore:
         self.flush()
         with self._writing:
             self._connection.close()
+
+    def _delete(self, session_ids: Sequence[str]) -> None:
+        self._write("DELETE FROM sessions WHERE session_id = ?", [(session_id,) for session_id in session_ids])
 
     def _write(self, statement: str, rows: Sequence[tuple[Any, ...]]) -> None:
         try:
