@@ -57,13 +57,17 @@ class DepthNoise:
     """Fraction of bodies that patches strike."""
 
 
+PERFECT = DepthNoise(depth_step_m=1e-4)
+"""As good as what is stored."""
+
+
 def draw_noise(rng: np.random.Generator, strongest: float = 1.6) -> DepthNoise:
     """A camera drawn from none to strong noise; kinds of errors are switched on independently.
 
     At strength 1 a plane 1 m away is measured to a few millimetres; `strongest` bounds the draw.
     """
     if chance(rng, 0.06):
-        return DepthNoise(depth_step_m=1e-4)
+        return PERFECT
     strength = float(rng.beta(1.3, 1.8)) * strongest
 
     def some(probability: float, high: float) -> float:

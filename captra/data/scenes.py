@@ -23,6 +23,9 @@ from captra.geometry import axis_angle, matrix_from_quat_xyzw
 
 X, Y = np.eye(3)[:2]
 
+LOWEST_HELD_DEG = -60.0
+"""Elevation from which cameras may look up at an object that stands on nothing."""
+
 
 @dataclass(frozen=True)
 class Scene:
@@ -68,7 +71,7 @@ def held_scene(
     vertices = merged(posed_parts(shape, joint_values)).vertices
     habits = habits_of(shape.category)
     attached = [make_holder(rng, vertices, shape.category)] if chance(rng, 0.95) else []
-    rotation = random_rotation(rng) if chance(rng, habits.tumbled) else _upright(rng, habits, tilt_deg=30)
+    rotation = _held_rotation(rng, habits)
     attached += _contents(rng, shape, habits, rotation)
     reach = float(np.linalg.norm(vertices, axis=1).max())
     surroundings: list[Mesh] = []
@@ -82,7 +85,13 @@ def held_scene(
         surroundings.append(make_clutter(rng, habits.neighbours).moved(random_rotation(rng), at))
     if chance(rng, 0.3):
         surroundings.append(wall(rng, -reach - between(rng, 0.02, 0.4) - clearance))
-    return Scene(shape, joint_values, rotation, tuple(attached), tuple(surroundings), -60.0)
+    return Scene(shape, joint_values, rotation, tuple(attached), tuple(surroundings), LOWEST_HELD_DEG)
+
+
+def standalone_scene(shape: Shape, joint_values: Float64[np.ndarray, " J"], rng: np.random.Generator) -> Scene:
+    """Held by nothing and with nothing around it, as the paper's articulated dataset shows objects."""
+    habits = habits_of(shape.category)
+    return Scene(shape, joint_values, _held_rotation(rng, habits), (), (), LOWEST_HELD_DEG)
 
 
 def table_scene(shape: Shape, joint_values: Float64[np.ndarray, " J"], rng: np.random.Generator) -> Scene:
@@ -127,6 +136,11 @@ def _contents(
     if habits.contents == 0 or rotation[1, 1] < 0.85 or not chance(rng, habits.contents):
         return []
     return make_contents(rng, shape.parts[0])
+
+
+def _held_rotation(rng: np.random.Generator, habits: Habits) -> Float64[np.ndarray, "3 3"]:
+    """At any orientation, or tilted a little."""
+    return random_rotation(rng) if chance(rng, habits.tumbled) else _upright(rng, habits, tilt_deg=30)
 
 
 def _upright(rng: np.random.Generator, habits: Habits, tilt_deg: float) -> Float64[np.ndarray, "3 3"]:

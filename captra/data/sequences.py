@@ -7,11 +7,11 @@ import numpy as np
 from jaxtyping import Float64
 
 from captra.categories import get_category
-from captra.data.depth_camera import draw_noise
+from captra.data.depth_camera import PERFECT, draw_noise
 from captra.data.joint_states import draw_joint_path
 from captra.data.recordings import Recording
 from captra.data.rendering import Camera
-from captra.data.scenes import Scene, held_scene, table_scene
+from captra.data.scenes import Scene, held_scene, standalone_scene, table_scene
 from captra.data.shapes.draws import between
 from captra.data.shapes.shape import Shape
 from captra.data.view import View
@@ -19,7 +19,7 @@ from captra.data.views import HiddenObjectError, Orbit, ViewOptions, draw_orbit,
 from captra.geometry import axis_angle
 from captra.perturbation import perturb
 
-Motion = Literal["hand", "table"]
+Motion = Literal["hand", "table", "alone"]
 
 FRAMES_PER_SECOND = 30
 POINTS = 10_000
@@ -37,8 +37,9 @@ def make_sequence(shape: Shape, rng_seed: int, frames: int = 100, motion: Motion
     """Simulate `frames` frames at 30 Hz; the same arguments give the same recording.
 
     `hand`: a hand moves the object at up to 0.3 m/s and 60°/s in front of a camera that hardly moves. `table`: the
-    object rests and the camera moves around it. Joints change by about the paper's average. The first pose is
-    the truth of frame 0, perturbed as the category says.
+    object rests and the camera moves around it. `alone`: the object moves as if held, by itself before a perfect
+    camera, as in the paper's articulated dataset (Sec. "Articulated Objects from SAPIEN"). Joints change by about the
+    paper's average. The first pose is the truth of frame 0, perturbed as the category says.
 
     Raises:
         HiddenObjectError: if no attempt keeps the object in sight.
@@ -55,11 +56,9 @@ def make_sequence(shape: Shape, rng_seed: int, frames: int = 100, motion: Motion
 def _film(shape: Shape, rng: np.random.Generator, frames: int, motion: Motion) -> list[View]:
     """Take frames until the object is out of sight."""
     joints = draw_joint_path(shape, frames, rng)
-    if motion == "hand":
-        scene = held_scene(shape, joints[0], rng, clearance=REACH_M)
-    else:
-        scene = table_scene(shape, joints[0], rng)
-    camera, noise = Camera(focal_px=between(rng, 560, 630)), draw_noise(rng, strongest=1.0)
+    scene = _scene(shape, joints[0], rng, motion)
+    camera = Camera(focal_px=between(rng, 560, 630))
+    noise = PERFECT if motion == "alone" else draw_noise(rng, strongest=1.0)
     orbits = _camera_path(rng, draw_orbit(scene, camera, rng), frames, motion, scene)
     rotations, translations = _object_path(rng, scene, frames, motion)
     options = ViewOptions(points=(POINTS, POINTS), stray_share=0.0)
@@ -71,6 +70,14 @@ def _film(shape: Shape, rng: np.random.Generator, frames: int, motion: Motion) -
             break
         views.append(view)
     return views
+
+
+def _scene(shape: Shape, joint_values: Float64[np.ndarray, " J"], rng: np.random.Generator, motion: Motion) -> Scene:
+    if motion == "hand":
+        return held_scene(shape, joint_values, rng, clearance=REACH_M)
+    if motion == "table":
+        return table_scene(shape, joint_values, rng)
+    return standalone_scene(shape, joint_values, rng)
 
 
 def _hides_a_part(view: View) -> bool:
@@ -107,7 +114,7 @@ def _object_path(
 
 
 def _camera_path(rng: np.random.Generator, start: Orbit, frames: int, motion: Motion, scene: Scene) -> list[Orbit]:
-    """Around the object for `table`, a slight sway for `hand`."""
+    """Around the object for `table`, a slight sway for others."""
     rate, swing = (np.radians(between(rng, 5, 35)), 0.6) if motion == "table" else (np.radians(between(rng, 0, 4)), 0.1)
     angles = smooth_walk(rng, frames, 3, rate) * [1.0, 0.5, 0.3]
     angles *= min(1.0, swing / max(float(np.abs(angles).max()), 1e-9))

@@ -37,6 +37,10 @@ def evaluate(
     category: Categories = None,
     recordings: Recordings = DEFAULT_RECORDINGS,
     procedural: Annotated[int, typer.Option(help="Unseen procedural sequences per category.", min=0)] = 0,
+    standalone: Annotated[
+        int,
+        typer.Option(help="Likewise, by themselves before a perfect camera as in the paper's articulated data.", min=0),
+    ] = 0,
     meshes: Annotated[
         Path | None, typer.Option(help="Library of objects with an INDEX.json: those for validation are filmed too.")
     ] = None,
@@ -69,6 +73,7 @@ def evaluate(
     from captra.evaluation.sequence_cache import SequenceCache
     from captra.evaluation.sequences import library, recordings_in
     from captra.evaluation.sequences import procedural as unseen
+    from captra.evaluation.sequences import standalone as by_themselves
     from captra.evaluation.table import WIDTH
     from captra.evaluation.workers import workers
     from captra.outputs import check_folder, check_writable
@@ -80,6 +85,7 @@ def evaluate(
     kept = SequenceCache.open(cache)
     others = (*(followers.ROBUSTNESS if robustness else ()), *(followers.BASELINES if baseline else ()))
     options = {"recordings": recordings, "procedural": procedural, "frames": frames, "profile": profile}
+    options |= {"standalone": standalone} if standalone else {}
     options |= {"meshes": meshes} if meshes else {}
     options |= {"provider": provider} if provider != REFERENCE else {}
     report = Report()
@@ -89,6 +95,7 @@ def evaluate(
             for group, sources in (
                 ("recordings", recordings_in(recordings, name, meshes)),
                 ("procedural", unseen(name, procedural, kept, frames)),
+                ("standalone", by_themselves(name, standalone, kept, frames)),
                 ("meshes", library(meshes, name, kept, frames) if meshes else ()),
             ):
                 report.measure(bundle, name, group, list(sources), others, pool, console, with_response=response)

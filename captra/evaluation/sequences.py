@@ -13,7 +13,7 @@ from captra.data.shapes.shape import Shape
 from captra.evaluation.model_points import ModelPoints, from_recording, from_shape
 from captra.evaluation.sequence_cache import SequenceCache, shape_digest
 
-Motion = Literal["hand", "table"]
+Motion = Literal["hand", "table", "alone"]
 
 TEST_SEED = 900_000
 """Procedural test instances are drawn from seeds that training never uses."""
@@ -26,6 +26,7 @@ RESEED_STRIDE = 10_000
 """Between the seeds that are tried until a sequence keeps the object in sight."""
 
 MOTIONS: tuple[Motion, ...] = ("table", "hand")
+"""As objects are met; a standalone one is only met in the paper's articulated dataset."""
 
 
 @dataclass(frozen=True)
@@ -124,9 +125,13 @@ def procedural(
 ) -> Iterator[SimulatedSequence]:
     """Sequences of unseen procedural instances, half of them held and half on a table."""
     for index in range(count):
-        seed, motion = first_seed + index, MOTIONS[index % 2]
-        name = f"{category}__procedural-{seed}__{motion}"
-        yield SimulatedSequence(name, partial(_procedural_shape, category, seed), seed, motion, frames, cache)
+        yield _of_instance(category, first_seed + index, MOTIONS[index % len(MOTIONS)], cache, frames)
+
+
+def standalone(category: str, count: int, cache: SequenceCache, frames: int = 100) -> Iterator[SimulatedSequence]:
+    """Sequences of the same unseen instances, each by itself before a perfect camera, as in the paper's dataset."""
+    for index in range(count):
+        yield _of_instance(category, TEST_SEED + index, "alone", cache, frames)
 
 
 def library(folder: Path, category: str, cache: SequenceCache, frames: int = 100) -> Iterator[SimulatedSequence]:
@@ -141,6 +146,11 @@ def library(folder: Path, category: str, cache: SequenceCache, frames: int = 100
         for motion in MOTIONS:
             name = f"{category}__{mesh.name.split('/')[1]}__{motion}"
             yield SimulatedSequence(name, partial(_same, mesh.shape), TEST_SEED + index, motion, frames, cache)
+
+
+def _of_instance(category: str, seed: int, motion: Motion, cache: SequenceCache, frames: int) -> SimulatedSequence:
+    name = f"{category}__procedural-{seed}__{motion}"
+    return SimulatedSequence(name, partial(_procedural_shape, category, seed), seed, motion, frames, cache)
 
 
 def _procedural_shape(category: str, seed: int) -> Shape:

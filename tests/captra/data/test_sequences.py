@@ -13,7 +13,7 @@ def sequence(motion: Motion, seed: int = 0, frames: int = 8) -> Recording:
     return make_sequence(make_shape("mug", np.random.default_rng(3)), seed, frames, motion)
 
 
-@pytest.mark.parametrize("motion", ["hand", "table"])
+@pytest.mark.parametrize("motion", ["hand", "table", "alone"])
 def test_sequences_are_smooth_start_perturbed_and_survive_the_disk(motion: Motion, tmp_path: Path) -> None:
     recording = sequence(motion)
     assert len(recording) == 8
@@ -37,6 +37,16 @@ def test_the_same_seed_makes_the_same_sequence() -> None:
     np.testing.assert_array_equal(first.clouds[2], again.clouds[2])
     np.testing.assert_array_equal(first.init.rotation, again.init.rotation)
     assert not np.array_equal(first.translation, other.translation)
+
+
+def test_a_standalone_object_is_seen_perfectly_and_with_nothing_around_it() -> None:
+    recording = make_sequence(make_shape("glasses", np.random.default_rng(3)), 2, 4, "alone")
+    for cloud, labels, truth in zip(recording.clouds, recording.labels, map(recording.truth, range(4)), strict=True):
+        assert labels.max() < truth.num_parts
+        for part in range(truth.num_parts):
+            own = (cloud[labels == part] - truth.translation[part]) @ truth.rotation[part]
+            assert (np.abs(own) <= truth.size[part] / 2 + 5e-4).all()
+    assert np.ptp(recording.translation[:, 0], axis=0).max() > 1e-3
 
 
 def test_walks_start_at_zero_and_peak_at_the_given_speed() -> None:

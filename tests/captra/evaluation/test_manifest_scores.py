@@ -59,6 +59,8 @@ def test_the_command_names_no_folder_of_this_machine(tmp_path: Path, monkeypatch
 def test_what_is_measured_is_what_the_manifest_says(bundle: Path) -> None:
     arguments = ["evaluate", "--recordings", str(bundle), "--procedural", "1", "--frames", "4", "--write-scores"]
     arguments += [
+        "--standalone",
+        "1",
         "--models",
         str(bundle.parent),
         "--cache",
@@ -69,7 +71,8 @@ def test_what_is_measured_is_what_the_manifest_says(bundle: Path) -> None:
     done = CliRunner().invoke(build_app({"evaluate": evaluate}), arguments, catch_exceptions=False)
     assert done.exit_code == 0, done.output
     values = load_manifest(bundle).scores[-1].values
-    assert values["procedural_sequences"] == 1
+    assert values["procedural_sequences"] == values["standalone_sequences"] == 1
     assert f"{values['procedural_5deg5cm_percent']:.1f} %" in done.output
+    assert "--procedural 1 --frames 4 --profile realtime --standalone 1" in load_manifest(bundle).scores[-1].command
     assert np.isfinite(list(values.values())).all()
     assert (bundle / "rows").stat().st_size > 100

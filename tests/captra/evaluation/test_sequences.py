@@ -12,7 +12,7 @@ from captra.data.shapes.shape import Shape
 from captra.data.shapes.surfaces import box
 from captra.evaluation.model_points import from_recording, from_shape
 from captra.evaluation.sequence_cache import VERSIONS_KEPT, SequenceCache, generator_version
-from captra.evaluation.sequences import SequenceSource, library, procedural, recordings_in
+from captra.evaluation.sequences import SequenceSource, library, procedural, recordings_in, standalone
 from captra.evaluation.workers import workers
 
 BUNDLED = Path(__file__).parents[3] / "recordings"
@@ -32,6 +32,15 @@ def test_a_sequence_is_simulated_once(tmp_path: Path) -> None:
     assert (again.recording.name, len(again.recording)) == (first.name, 3)
     longer = replace(first, frames=4)
     assert len(longer.load().recording) == 4
+
+
+def test_standalone_sequences_show_the_same_instances_without_what_is_around_them(tmp_path: Path) -> None:
+    cache = SequenceCache.open(tmp_path)
+    (among,), (alone,) = procedural("can", 1, cache, frames=2), standalone("can", 1, cache, frames=2)
+    assert alone.name == "can__procedural-900000__alone"
+    np.testing.assert_array_equal(alone.load().model[0], among.load().model[0])
+    assert among.load().recording.labels[0].max() == 1
+    assert alone.load().recording.labels[0].max() == 0
 
 
 def test_another_generator_or_shape_makes_other_sequences(tmp_path: Path) -> None:
