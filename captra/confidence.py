@@ -27,8 +27,12 @@ FEATURES = (
     "diagonal_error",
     "guessed_turn",
     "vanished",
+    "stood_still",
 )
 """What the model weighs, all of it bad news."""
+
+OWN = [FEATURES.index(name) for name in ("few_points", "stood_still")]
+"""Features that a part does not share with what it goes with."""
 
 UNCALIBRATED: Mapping[str, float] = MappingProxyType(
     {
@@ -49,6 +53,7 @@ UNCALIBRATED: Mapping[str, float] = MappingProxyType(
         "diagonal_error": -9.0,
         "guessed_turn": -2.0,
         "vanished": -1.0,
+        "stood_still": -2.0,
     }
 )
 """Weights that suit most categories: a fit to validation sequences of several of them at once."""
@@ -64,15 +69,16 @@ def features(evidence: Evidence) -> Float64[np.ndarray, "parts features"]:
     A part that goes with another is as right as that one, as far as its pose is the other's; but its points are few,
     and whether its joint moved meanwhile is not seen.
     """
-    rows = np.stack([_own_features(part, evidence) for part in evidence.parts])
-    few_points = rows[:, FEATURES.index("few_points")].copy()
+    stood = {ride.part: ride.stood for ride in evidence.rides}
+    rows = np.stack([_features(part, evidence, stood.get(i, 0.0)) for i, part in enumerate(evidence.parts)])
+    own = rows[:, OWN].copy()
     for ride in evidence.rides:
         rows[ride.part] = ride.found * rows[ride.part] + (1 - ride.found) * rows[ride.by]
-    rows[:, FEATURES.index("few_points")] = few_points
+    rows[:, OWN] = own
     return rows
 
 
-def _own_features(part: PartEvidence, evidence: Evidence) -> Float64[np.ndarray, " features"]:
+def _features(part: PartEvidence, evidence: Evidence, stood: float) -> Float64[np.ndarray, " features"]:
     return np.array(
         [
             np.log(max(part.residual, 1e-3) / 0.02),
@@ -92,6 +98,7 @@ def _own_features(part: PartEvidence, evidence: Evidence) -> Float64[np.ndarray,
             part.diagonal_error,
             part.guessed_turn,
             evidence.vanished,
+            np.log1p(stood),
         ]
     )
 

@@ -88,6 +88,8 @@ class Ride:
     """The one that it goes with."""
     found: float
     """Share of its pose that is its own, as it was found."""
+    stood: float = 0.0
+    """Frames, about, for which nothing has told whether their joint stands where it stood."""
 
 
 @dataclass(frozen=True)
@@ -105,7 +107,7 @@ class Evidence:
     vanished: float = 0.0
     """Logarithm of how many times less that is than the track is used to; 0 if it is not less."""
     rides: tuple[Ride, ...] = ()
-    """Parts that are hardly seen and go with others, those that others go with first."""
+    """Parts that go with others, as far as little tells how they stand themselves; those that others go with first."""
 
     def without_jumps(self) -> "Evidence":
         """The same for a look that was not expected to find the object just where it looked."""

@@ -1,34 +1,85 @@
-"""Parts that are hardly seen go with what they hang on: a drawer that nothing is seen of moves with its cabinet.
+"""Parts whose joint is hardly seen go with what they hang on: a drawer that nothing is seen of moves with its cabinet.
 
 A pose that a handful of points tell is mostly noise, and a pose that is kept while the object moves on is wrong; that
-a joint stands as it last stood is the better guess.
+a joint stands as it last stood is the better guess. So it is of a laptop's base that is seen from its front edge:
+however many points there are, they lie along the hinge, and the base could be turned about it in any way.
 """
 
-from collections.abc import Iterator
-from dataclasses import replace
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
 
 import numpy as np
 from jaxtyping import Float64
 
-from captra.categories import Category
+from captra.categories import Category, Joint
 from captra.evidence import Evidence, Ride
 from captra.geometry import Pose, project_to_rotation, rotation_from_vector, rotation_vector
 
 FEW_POINTS = 30
 """Of a part: found from so many, its joint is half way between where it stood and where it was found."""
 
+SPREAD_ENOUGH = 0.2
+"""Distance from their middle and across the joint's axis, in units of the scale, at which points count as one each."""
 
-def rides(evidence: Evidence, category: Category) -> Iterator[Ride]:
-    """Which parts go with which, a part after the one that it goes with.
 
-    The fewer points tell where a jointed part is, the more it goes with its parent; a root of which nothing is seen
-    goes with the part that is seen best.
+@dataclass(frozen=True)
+class Standstill:
+    """For how long nothing has told how parts stand on their joints."""
+
+    frames: Float64[np.ndarray, " parts"]
+    """Of every part; a frame that tells half of its pose halves them."""
+
+    @staticmethod
+    def of(num_parts: int) -> "Standstill":
+        """All joints were just told."""
+        return Standstill(np.zeros(num_parts))
+
+    def judged(self, rides: Iterable[Ride]) -> tuple[Ride, ...]:
+        """Rides with how long each has lasted."""
+        return tuple(replace(ride, stood=float((1 - ride.found) * (self.frames[ride.part] + 1))) for ride in rides)
+
+    def updated(self, evidence: Evidence) -> "Standstill":
+        """After one more frame; parts that did not ride in it were told."""
+        frames = np.zeros(len(self.frames))
+        for ride in evidence.rides:
+            frames[ride.part] = ride.stood
+        return Standstill(frames)
+
+
+def rides(pose: Pose, evidence: Evidence, category: Category) -> Iterator[Ride]:
+    """Which parts of a pose as found go with which, a part after the one that it goes with.
+
+    The less tells how a joint stands, the more the part that is seen worse goes with the other: a child with its
+    parent, or the root with the child that is seen best.
     """
-    points = evidence.explained_points
-    if points[category.root] == 0 and points.any():
-        yield Ride(category.root, int(points.argmax()), 0.0)
-    for joint in category.joints:
-        yield Ride(joint.child, joint.parent, float(points[joint.child] / (points[joint.child] + FEW_POINTS)))
+    children = [_told(pose, evidence, joint, joint.child) for joint in category.joints]
+    leading = None
+    if category.joints:
+        best = int(np.argmax(children))
+        joint = category.joints[best]
+        told = _told(pose, evidence, joint, joint.parent)
+        if joint.parent == category.root and told < children[best]:
+            leading = joint
+            yield Ride(joint.parent, joint.child, _share(told))
+    for joint, told in zip(category.joints, children, strict=True):
+        if joint is not leading:
+            yield Ride(joint.child, joint.parent, _share(told))
+
+
+def _told(pose: Pose, evidence: Evidence, joint: Joint, part: int) -> float:
+    """How many points tell how a part stands on a joint, as if they were spread as far from its axis as is enough."""
+    points = evidence.parts[part].explained
+    if joint.kind == "prismatic" or len(points) == 0:
+        return float(len(points))
+    axis = pose.rotation[part] @ np.array(joint.axis)
+    own = points - points.mean(axis=0)
+    away = own - np.outer(own @ axis, axis)
+    squared_spread = np.square(away).sum(axis=1).mean() / pose.scale[part] ** 2
+    return float(len(points) * min(1.0, squared_spread / SPREAD_ENOUGH**2))
+
+
+def _share(told: float) -> float:
+    return told / (told + FEW_POINTS)
 
 
 def ride_along(pose: Pose, evidence: Evidence, last: Pose) -> Pose:

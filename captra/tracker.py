@@ -19,7 +19,7 @@ from captra.observations import Observation, PointCloud
 from captra.output_filter import UNFILTERED, OutputFilter
 from captra.pose_memory import FoundError, PoseMemory
 from captra.recovery import NO_SEARCH, Search, SearchBudget, most_agreed
-from captra.riding import ride_along, rides
+from captra.riding import Standstill, ride_along, rides
 from captra.sampling import NoPointsError
 from captra.segmentation import NOTHING_KNOWN, Segmentation
 from captra.size_memory import GIVEN_ERROR, SizeMemory
@@ -121,7 +121,7 @@ class Tracker:
         self._memory = PoseMemory.nothing_known(pose.num_parts)
         self._box_turns = BoxTurns.nothing_known(pose.num_parts)
         self._slides = NO_SLIDES
-        self._visibility = Visibility()
+        self._visibility, self._standstill = Visibility(), Standstill.of(pose.num_parts)
         self._health = self._health.restarted()
         self._motion = self._options.motion.restarted(pose)
         self._search = Search(pose)
@@ -155,6 +155,7 @@ class Tracker:
         best = self._choose(self._look(observation, segmentation, self._hypotheses(time_s)))
         self._health = self._health.updated(self._health.confidence_of(best.evidence))
         self._pose, self._given = self._placed(best), False
+        self._standstill = self._standstill.updated(best.evidence)
         if self._health.trusted:
             self._visibility = self._visibility.updated(best.evidence)
         self._motion = self._motion.observed(self._pose, time_s, trusted=self._health.trusted)
@@ -198,12 +199,14 @@ class Tracker:
         """Look around one pose, on the search's time."""
         found = look(self._networks, observation, around, segmentation, self._options.projection)
         self._options.search.spent(found.timing.total_ms)
-        return replace(found, evidence=self._beside_the_past(found.evidence))
+        return replace(found, evidence=self._beside_the_past(found.pose, found.evidence))
 
-    def _beside_the_past(self, evidence: Evidence) -> Evidence:
+    def _beside_the_past(self, pose: Pose, evidence: Evidence) -> Evidence:
         """How much less is seen than usual, and which parts go with others: none beside a pose that was given."""
         judged = self._visibility.judged(evidence)
-        return judged if self._given else replace(judged, rides=tuple(rides(evidence, self._category)))
+        if self._given:
+            return judged
+        return replace(judged, rides=self._standstill.judged(rides(pose, evidence, self._category)))
 
     def _choose(self, sightings: Sequence[Sighting]) -> Sighting:
         """The best one if it convinces, else the first, which goes on from the last pose; with the time of all of them.

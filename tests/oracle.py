@@ -68,9 +68,10 @@ def elsewhere(pose: Pose) -> Pose:
 
 
 def explaining(*points: int) -> Evidence:
-    """Evidence of fits that explain so many points of every part."""
-    nothing = PartEvidence.missing(0, np.zeros(3))
-    return Evidence(tuple(replace(nothing, explained=np.zeros((count, 3))) for count in points), 1.0, sum(points))
+    """Evidence of fits that explain so many points of every part, far apart in all directions."""
+    nothing, spread = PartEvidence.missing(0, np.zeros(3)), 10 * np.concatenate([np.eye(3), -np.eye(3)])
+    parts = (replace(nothing, explained=np.resize(spread, (count, 3))) for count in points)
+    return Evidence(tuple(parts), 1.0, sum(points))
 
 
 def scene(category_name: str, rng: np.random.Generator, count: int = 3000) -> tuple[Category, Pose, np.ndarray]:

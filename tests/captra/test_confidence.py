@@ -66,6 +66,16 @@ def test_a_part_that_rides_is_as_right_as_the_part_that_it_rides_on_but_for_its_
     assert model(replace(evidence(BAD, nothing), rides=carried.rides)) <= model(evidence(BAD))
 
 
+def test_the_longer_a_joint_is_only_taken_to_stand_still_the_less_its_part_is_trusted() -> None:
+    nothing = PartEvidence.missing(0, np.zeros(3))
+    told = [ConfidenceModel()(replace(evidence(GOOD, nothing), rides=(Ride(1, 0, 0.0, s),))) for s in (0, 1, 5, 30)]
+    assert sorted(told, reverse=True) == told
+    assert told[1] > 0.4
+    assert told[3] < 0.1
+    chain = replace(evidence(GOOD, nothing, nothing), rides=(Ride(1, 0, 0.0, 30.0), Ride(2, 1, 0.0)))
+    assert features(chain)[:, FEATURES.index("stood_still")].tolist() == pytest.approx([0.0, np.log(31), 0.0])
+
+
 def test_a_part_rides_on_one_that_rides_itself() -> None:
     nothing = PartEvidence.missing(0, np.zeros(3))
     chain = replace(evidence(nothing, nothing, GOOD), rides=(Ride(1, 2, found=0.0), Ride(0, 1, found=0.0)))

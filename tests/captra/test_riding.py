@@ -6,14 +6,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from captra.categories import Category, get_category
-from captra.evidence import Evidence, Ride
+from captra.evidence import Evidence, PartEvidence, Ride
 from captra.geometry import Pose, axis_angle, is_rotation
 from captra.metrics import rotation_error_deg
-from captra.riding import FEW_POINTS, ride_along, rides
+from captra.riding import FEW_POINTS, Standstill, ride_along, rides
 from captra.tracker import Tracker
 from tests.oracle import OracleNetworks, elsewhere, explaining, surfaces
 
 DRAWERS, GLASSES, MUG = get_category("drawers"), get_category("glasses"), get_category("mug")
+LAPTOP = get_category("laptop_articulated")
 
 
 def pose(category: Category, seed: int = 0) -> Pose:
@@ -33,7 +34,7 @@ def with_part(whole: Pose, other: Pose, part: int) -> Pose:
 
 def ridden(found: Pose, evidence: Evidence, last: Pose, category: Category) -> Pose:
     """What was found, where parts ride as the evidence tells."""
-    return ride_along(found, replace(evidence, rides=tuple(rides(evidence, category))), last)
+    return ride_along(found, replace(evidence, rides=tuple(rides(found, evidence, category))), last)
 
 
 def assert_same(one: Pose, other: Pose) -> None:
@@ -94,9 +95,55 @@ def test_what_is_hidden_for_long_keeps_its_shape(category: Category, points: int
 
 
 def test_who_rides_on_whom() -> None:
-    assert list(rides(explaining(30, 90, 0), GLASSES)) == [Ride(2, 1, 0.0), Ride(0, 2, 0.5), Ride(1, 2, 0.75)]
-    assert list(rides(explaining(0, 0, 0), GLASSES)) == [Ride(0, 2, 0.0), Ride(1, 2, 0.0)]
-    assert list(rides(explaining(0), MUG)) == []
+    glasses, mug = pose(GLASSES), pose(MUG)
+    assert list(rides(glasses, explaining(30, 10, 500), GLASSES)) == [Ride(0, 2, 0.5), Ride(1, 2, 0.25)]
+    assert list(rides(glasses, explaining(30, 90, 0), GLASSES)) == [Ride(2, 1, 0.0), Ride(0, 2, 0.5)]
+    assert list(rides(glasses, explaining(30, 90, 10), GLASSES)) == [Ride(2, 1, 0.25), Ride(0, 2, 0.5)]
+    assert list(rides(glasses, explaining(0, 0, 0), GLASSES)) == [Ride(0, 2, 0.0), Ride(1, 2, 0.0)]
+    assert list(rides(mug, explaining(0), MUG)) == []
+
+
+def seen(whole: Pose, part: int, spread: np.ndarray, points: int = 600) -> PartEvidence:
+    """Evidence of a part whose points lie so far to either side of its centre along its own axes, metres."""
+    own = np.random.default_rng(0).uniform(-spread, spread, (points, 3))
+    nothing = PartEvidence.missing(points, whole.translation[part])
+    return replace(nothing, explained=own @ whole.rotation[part].T + whole.translation[part])
+
+
+def way_left(after: Pose, target: Pose, start: Pose, part: int) -> np.ndarray:
+    """Which share of its way, and of its turn, a part has not gone."""
+    left, whole = (
+        (
+            np.linalg.norm(target.translation - one.translation, axis=1)[part],
+            rotation_error_deg(one.rotation, target.rotation, symmetric=False)[part],
+        )
+        for one in (after, start)
+    )
+    return np.asarray(np.array(left) / whole)
+
+
+@pytest.mark.parametrize("edge", [LAPTOP.root, 1])
+def test_a_board_that_is_seen_from_its_edge_goes_where_the_other_takes_it(edge: int) -> None:
+    """The points along the hinge are many, but tell nothing of the turn about it."""
+    last, shape = pose(LAPTOP), np.array([0.15, 0.005, 0.1])
+    found = with_part(last, elsewhere(last), 1 - edge)
+    from_the_edge = tuple(seen(last, part, shape * [1, 1, part != edge]) for part in range(2))
+    from_above = tuple(seen(last, part, shape) for part in range(2))
+    went = ridden(found, Evidence(from_the_edge, 1.0, 1200), last, LAPTOP)
+    stayed = ridden(found, Evidence(from_above, 1.0, 1200), last, LAPTOP)
+    assert way_left(went, elsewhere(last), last, edge).max() < 0.15
+    assert way_left(stayed, elsewhere(last), last, edge).min() > 0.9
+
+
+def test_how_long_a_joint_was_taken_to_stand_still() -> None:
+    glasses, standstill, lasted = pose(GLASSES), Standstill.of(3), []
+    for points in (0, 0, 30, 3000, 0):
+        evidence = explaining(points, 5000, 5000)
+        evidence = replace(evidence, rides=standstill.judged(rides(glasses, evidence, GLASSES)))
+        standstill = standstill.updated(evidence)
+        lasted.append(standstill.frames[0])
+    np.testing.assert_allclose(lasted, [1, 2, 1.5, 2.5 * 30 / 3030, 1 + 2.5 * 30 / 3030])
+    assert standstill.frames[1:].max() < 0.01
 
 
 def cabinet() -> Pose:
