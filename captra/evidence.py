@@ -89,7 +89,7 @@ class Ride:
     found: float
     """Share of its pose that is its own, as it was found."""
     stood: float = 0.0
-    """Frames, about, for which nothing has told whether their joint stands where it stood."""
+    """Frames, about, for which nothing has told whether their hinge stands where it stood."""
 
 
 @dataclass(frozen=True)

@@ -24,19 +24,23 @@ SPREAD_ENOUGH = 0.2
 
 @dataclass(frozen=True)
 class Standstill:
-    """For how long nothing has told how parts stand on their joints."""
+    """For how long nothing has told how parts stand on their hinges; a drawer that is not seen to move rarely does."""
 
     frames: Float64[np.ndarray, " parts"]
     """Of every part; a frame that tells half of its pose halves them."""
 
     @staticmethod
     def of(num_parts: int) -> "Standstill":
-        """All joints were just told."""
+        """All hinges were just told."""
         return Standstill(np.zeros(num_parts))
 
-    def judged(self, rides: Iterable[Ride]) -> tuple[Ride, ...]:
+    def judged(self, rides: Iterable[Ride], category: Category) -> tuple[Ride, ...]:
         """Rides with how long each has lasted."""
-        return tuple(replace(ride, stood=float((1 - ride.found) * (self.frames[ride.part] + 1))) for ride in rides)
+        hinged = {part for joint in category.joints if joint.kind == "revolute" for part in (joint.parent, joint.child)}
+        return tuple(replace(ride, stood=self._stood(ride)) if ride.part in hinged else ride for ride in rides)
+
+    def _stood(self, ride: Ride) -> float:
+        return float((1 - ride.found) * (self.frames[ride.part] + 1))
 
     def updated(self, evidence: Evidence) -> "Standstill":
         """After one more frame; parts that did not ride in it were told."""

@@ -206,7 +206,7 @@ class Tracker:
         judged = self._visibility.judged(evidence)
         if self._given:
             return judged
-        return replace(judged, rides=self._standstill.judged(rides(pose, evidence, self._category)))
+        return replace(judged, rides=self._standstill.judged(rides(pose, evidence, self._category), self._category))
 
     def _choose(self, sightings: Sequence[Sighting]) -> Sighting:
         """The best one if it convinces, else the first, which goes on from the last pose; with the time of all of them.

@@ -135,15 +135,17 @@ def test_a_board_that_is_seen_from_its_edge_goes_where_the_other_takes_it(edge: 
     assert way_left(stayed, elsewhere(last), last, edge).min() > 0.9
 
 
-def test_how_long_a_joint_was_taken_to_stand_still() -> None:
+def test_how_long_a_hinge_was_taken_to_stand_still() -> None:
     glasses, standstill, lasted = pose(GLASSES), Standstill.of(3), []
     for points in (0, 0, 30, 3000, 0):
         evidence = explaining(points, 5000, 5000)
-        evidence = replace(evidence, rides=standstill.judged(rides(glasses, evidence, GLASSES)))
+        evidence = replace(evidence, rides=standstill.judged(rides(glasses, evidence, GLASSES), GLASSES))
         standstill = standstill.updated(evidence)
         lasted.append(standstill.frames[0])
     np.testing.assert_allclose(lasted, [1, 2, 1.5, 2.5 * 30 / 3030, 1 + 2.5 * 30 / 3030])
     assert standstill.frames[1:].max() < 0.01
+    hidden = rides(pose(DRAWERS), explaining(0, 0, 0, 500), DRAWERS)
+    assert [ride.stood for ride in Standstill.of(4).judged(hidden, DRAWERS)] == [0, 0, 0]
 
 
 def cabinet() -> Pose:
