@@ -56,9 +56,15 @@ UNCALIBRATED: Mapping[str, float] = MappingProxyType(
         "stood_still": -2.0,
     }
 )
-"""Weights that suit most categories: a fit to validation sequences of several of them at once."""
+"""Weights that suit most categories: a fit to validation sequences of several of them at once.
+
+That of `stood_still` is smaller than theirs, where hinges always move: elsewhere most of them rest.
+"""
 
 LIKELIEST_LOGIT = 12.0
+LONG_STOOD = 10.0
+"""Frames after which it hardly matters any more for how long nothing has told how a hinge stands: most rest, so that a
+part that is hidden for good is doubted, but not lost for that."""
 FLAT_THICKNESS = 0.02
 """Thickness, in units of the scale, that noise gives to a board."""
 
@@ -66,14 +72,14 @@ FLAT_THICKNESS = 0.02
 def features(evidence: Evidence) -> Float64[np.ndarray, "parts features"]:
     """Every part's evidence in the order of `FEATURES`; logarithms, since what matters are ratios.
 
-    A part that goes with another is as right as that one, as far as its pose is the other's; but its points are few,
-    and whether its joint moved meanwhile is not seen.
+    A part that goes with another is as right as that one, as far as its turn is the other's; but it has points of its
+    own, few or not, and whether its joint moved meanwhile is not seen.
     """
     stood = {ride.part: ride.stood for ride in evidence.rides}
     rows = np.stack([_features(part, evidence, stood.get(i, 0.0)) for i, part in enumerate(evidence.parts)])
     own = rows[:, OWN].copy()
     for ride in evidence.rides:
-        rows[ride.part] = ride.found * rows[ride.part] + (1 - ride.found) * rows[ride.by]
+        rows[ride.part] = ride.turned * rows[ride.part] + (1 - ride.turned) * rows[ride.by]
     rows[:, OWN] = own
     return rows
 
@@ -98,7 +104,7 @@ def _features(part: PartEvidence, evidence: Evidence, stood: float) -> Float64[n
             part.diagonal_error,
             part.guessed_turn,
             evidence.vanished,
-            np.log1p(stood),
+            1 - np.exp(-stood / LONG_STOOD),
         ]
     )
 

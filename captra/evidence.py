@@ -80,16 +80,20 @@ class PartEvidence:
 
 @dataclass(frozen=True)
 class Ride:
-    """A part whose pose is told by another's as well."""
+    """A part whose pose is told by another's as well, by way of the joint between them."""
 
     part: int
     """The one that goes along."""
     by: int
     """The one that it goes with."""
-    found: float
-    """Share of its pose that is its own, as it was found."""
+    joint: int
+    """Which of the category's joints."""
+    turned: float
+    """Share of its turn about the joint's axis that is its own, as it was found."""
+    seen: float
+    """Likewise of the rest of its pose."""
     stood: float = 0.0
-    """Frames, about, for which nothing has told whether their hinge stands where it stood."""
+    """Frames, about, for which nothing has told whether the joint stands where it stood; 0 for slides."""
 
 
 @dataclass(frozen=True)

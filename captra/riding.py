@@ -1,8 +1,9 @@
 """Parts whose joint is hardly seen go with what they hang on: a drawer that nothing is seen of moves with its cabinet.
 
 A pose that a handful of points tell is mostly noise, and a pose that is kept while the object moves on is wrong; that
-a joint stands as it last stood is the better guess. So it is of a laptop's base that is seen from its front edge:
-however many points there are, they lie along the hinge, and the base could be turned about it in any way.
+a joint stands as it last stood is the better guess. So it is of the turn of a laptop's base that is seen from its front
+edge: points along a line that is parallel to the hinge tell where that line is, but the base can be turned about it in
+any way.
 """
 
 from collections.abc import Iterable, Iterator
@@ -18,56 +19,71 @@ from captra.geometry import Pose, project_to_rotation, rotation_from_vector, rot
 FEW_POINTS = 30
 """Of a part: found from so many, its joint is half way between where it stood and where it was found."""
 
-SPREAD_ENOUGH = 0.2
-"""Distance from their middle and across the joint's axis, in units of the scale, at which points count as one each."""
+SPREAD_ENOUGH = 0.15
+"""Distance from their middle and across the joint's axis, in units of the scale, at which points tell the turn about it
+in full: that of points all over a board."""
 
 
 @dataclass(frozen=True)
 class Standstill:
-    """For how long nothing has told how parts stand on their hinges; a drawer that is not seen to move rarely does."""
+    """For how long nothing has told how hinges stand, since the track began or was taken up again.
 
-    frames: Float64[np.ndarray, " parts"]
-    """Of every part; a frame that tells half of its pose halves them."""
+    Slides are left out: drawers that are not seen mostly rest.
+    """
+
+    frames: Float64[np.ndarray, " joints"]
+    """Of every joint; a frame that tells half of its turn halves them."""
 
     @staticmethod
-    def of(num_parts: int) -> "Standstill":
+    def of(category: Category) -> "Standstill":
         """All hinges were just told."""
-        return Standstill(np.zeros(num_parts))
+        return Standstill(np.zeros(len(category.joints)))
 
     def judged(self, rides: Iterable[Ride], category: Category) -> tuple[Ride, ...]:
         """Rides with how long each has lasted."""
-        hinged = {part for joint in category.joints if joint.kind == "revolute" for part in (joint.parent, joint.child)}
-        return tuple(replace(ride, stood=self._stood(ride)) if ride.part in hinged else ride for ride in rides)
+        return tuple(
+            replace(ride, stood=float((1 - ride.turned) * (self.frames[ride.joint] + 1)))
+            if category.joints[ride.joint].kind == "revolute"
+            else ride
+            for ride in rides
+        )
 
-    def _stood(self, ride: Ride) -> float:
-        return float((1 - ride.found) * (self.frames[ride.part] + 1))
-
-    def updated(self, evidence: Evidence) -> "Standstill":
-        """After one more frame; parts that did not ride in it were told."""
-        frames = np.zeros(len(self.frames))
+    def updated(self, evidence: Evidence, *, trusted: bool) -> "Standstill":
+        """After one more frame, which tells nothing unless it can be trusted."""
+        frames = self.frames.copy()
         for ride in evidence.rides:
-            frames[ride.part] = ride.stood
+            frames[ride.joint] = ride.stood if trusted else max(ride.stood, frames[ride.joint])
         return Standstill(frames)
+
+    def missed(self) -> "Standstill":
+        """After a frame in which nothing was seen."""
+        return Standstill(self.frames + 1)
 
 
 def rides(pose: Pose, evidence: Evidence, category: Category) -> Iterator[Ride]:
-    """Which parts of a pose as found go with which, a part after the one that it goes with.
+    """Which parts of a pose as found go with which, a part after the one that it goes with; one ride a joint.
 
     The less tells how a joint stands, the more the part that is seen worse goes with the other: a child with its
     parent, or the root with the child that is seen best.
     """
+    if not category.joints:
+        return
     children = [_told(pose, evidence, joint, joint.child) for joint in category.joints]
-    leading = None
-    if category.joints:
-        best = int(np.argmax(children))
-        joint = category.joints[best]
-        told = _told(pose, evidence, joint, joint.parent)
-        if joint.parent == category.root and told < children[best]:
-            leading = joint
-            yield Ride(joint.parent, joint.child, _share(told))
-    for joint, told in zip(category.joints, children, strict=True):
-        if joint is not leading:
-            yield Ride(joint.child, joint.parent, _share(told))
+    best = int(np.argmax(children))
+    joint = category.joints[best]
+    root_leads = _told(pose, evidence, joint, joint.parent) >= children[best] or joint.parent != category.root
+    if not root_leads:
+        yield _ride(pose, evidence, category, best, joint.parent)
+    for index, joint in enumerate(category.joints):
+        if root_leads or index != best:
+            yield _ride(pose, evidence, category, index, joint.child)
+
+
+def _ride(pose: Pose, evidence: Evidence, category: Category, index: int, part: int) -> Ride:
+    joint = category.joints[index]
+    by = joint.parent if part == joint.child else joint.child
+    told = _told(pose, evidence, joint, part)
+    return Ride(part, by, index, _share(told), _share(len(evidence.parts[part].explained)))
 
 
 def _told(pose: Pose, evidence: Evidence, joint: Joint, part: int) -> float:
@@ -86,8 +102,11 @@ def _share(told: float) -> float:
     return told / (told + FEW_POINTS)
 
 
-def ride_along(pose: Pose, evidence: Evidence, last: Pose) -> Pose:
-    """The pose with every part that rides the nearer to where another takes it, the less of it was found."""
+def ride_along(pose: Pose, evidence: Evidence, last: Pose, category: Category) -> Pose:
+    """The pose with every part that rides the nearer to where another takes it, the less of it was found.
+
+    What is seen of a part stays where it is seen while the part is turned.
+    """
     rotation, translation = np.array(pose.rotation), np.array(pose.translation)
     for ride in evidence.rides:
         part, by = ride.part, ride.by
@@ -95,7 +114,13 @@ def ride_along(pose: Pose, evidence: Evidence, last: Pose) -> Pose:
         expected = moved @ last.rotation[part]
         expected_centre = translation[by] + moved @ (last.translation[part] - last.translation[by])
         turn: Float64[np.ndarray, "3"] = rotation_vector(expected.T @ rotation[part])
+        axis = np.array(category.joints[ride.joint].axis)
+        about = (turn @ axis) * axis
         # Projected, since products of rounded rotations, each made from the one before, drift off ever faster.
-        rotation[part] = project_to_rotation(expected @ rotation_from_vector(ride.found * turn))
-        translation[part] = expected_centre + ride.found * (translation[part] - expected_centre)
+        turned = project_to_rotation(expected @ rotation_from_vector(ride.turned * about + ride.seen * (turn - about)))
+        points = evidence.parts[part].explained
+        middle = points.mean(axis=0) if len(points) else translation[part]
+        centre = middle + turned @ rotation[part].T @ (translation[part] - middle)
+        rotation[part] = turned
+        translation[part] = expected_centre + ride.seen * (centre - expected_centre)
     return replace(pose, rotation=rotation, translation=translation)

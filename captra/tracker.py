@@ -121,7 +121,7 @@ class Tracker:
         self._memory = PoseMemory.nothing_known(pose.num_parts)
         self._box_turns = BoxTurns.nothing_known(pose.num_parts)
         self._slides = NO_SLIDES
-        self._visibility, self._standstill = Visibility(), Standstill.of(pose.num_parts)
+        self._visibility, self._standstill = Visibility(), Standstill.of(self._category)
         self._health = self._health.restarted()
         self._motion = self._options.motion.restarted(pose)
         self._search = Search(pose)
@@ -155,7 +155,7 @@ class Tracker:
         best = self._choose(self._look(observation, segmentation, self._hypotheses(time_s)))
         self._health = self._health.updated(self._health.confidence_of(best.evidence))
         self._pose, self._given = self._placed(best), False
-        self._standstill = self._standstill.updated(best.evidence)
+        self._standstill = self._standstill.updated(best.evidence, trusted=self._health.trusted)
         if self._health.trusted:
             self._visibility = self._visibility.updated(best.evidence)
         self._motion = self._motion.observed(self._pose, time_s, trusted=self._health.trusted)
@@ -181,7 +181,7 @@ class Tracker:
             if self._given and (not sightings or self._told(sightings[0]) >= CONVINCING):
                 break
         if not sightings:
-            self._health = self._health.missed()
+            self._health, self._standstill = self._health.missed(), self._standstill.missed()
             self._search = self._search.updated(self._pose, self._health.state, self._looks)
             raise refusal
         return sightings
@@ -244,7 +244,7 @@ class Tracker:
             self._box_turns = self._box_turns.updated(pose, found.evidence)
             self._memory = self._box_turns.refine(self._memory, pose.size)
         placed = self._slides.apply(self._memory.apply(pose, found.evidence.fitted))
-        return ride_along(placed, found.evidence, self._pose)
+        return ride_along(placed, found.evidence, self._pose, self._category)
 
     @property
     def _credible(self) -> bool:

@@ -39,7 +39,9 @@ def evaluate(
     procedural: Annotated[int, typer.Option(help="Unseen procedural sequences per category.", min=0)] = 0,
     standalone: Annotated[
         int,
-        typer.Option(help="Likewise, by themselves before a perfect camera as in the paper's articulated data.", min=0),
+        typer.Option(
+            help="Unseen articulated instances by themselves before a perfect camera, as in the paper's dataset.", min=0
+        ),
     ] = 0,
     meshes: Annotated[
         Path | None, typer.Option(help="Library of objects with an INDEX.json: those for validation are filmed too.")

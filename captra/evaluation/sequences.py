@@ -4,16 +4,18 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import Literal, Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
+from captra.categories import get_category
 from captra.data.recordings import Recording, load_recording
 from captra.data.shapes.shape import Shape
 from captra.evaluation.model_points import ModelPoints, from_recording, from_shape
 from captra.evaluation.sequence_cache import SequenceCache, shape_digest
 
-Motion = Literal["hand", "table", "alone"]
+if TYPE_CHECKING:
+    from captra.data.sequences import Motion
 
 TEST_SEED = 900_000
 """Procedural test instances are drawn from seeds that training never uses."""
@@ -25,7 +27,7 @@ RESEEDS = 5
 RESEED_STRIDE = 10_000
 """Between the seeds that are tried until a sequence keeps the object in sight."""
 
-MOTIONS: tuple[Motion, ...] = ("table", "hand")
+MOTIONS: "tuple[Motion, ...]" = ("table", "hand")
 """As objects are met; a standalone one is only met in the paper's articulated dataset."""
 
 
@@ -88,8 +90,8 @@ class SimulatedSequence:
     """Gives the object; can be sent to another process."""
     seed: int
     """Of scene, motion and noise."""
-    motion: Motion
-    """hand or table."""
+    motion: "Motion"
+    """As `captra.data.sequences.make_sequence` has it."""
     frames: int
     """At 30 Hz."""
     cache: SequenceCache
@@ -129,8 +131,11 @@ def procedural(
 
 
 def standalone(category: str, count: int, cache: SequenceCache, frames: int = 100) -> Iterator[SimulatedSequence]:
-    """Sequences of the same unseen instances, each by itself before a perfect camera, as in the paper's dataset."""
-    for index in range(count):
+    """Sequences of the same unseen instances, each by itself before a perfect camera, as in the paper's SAPIEN dataset.
+
+    That has articulated objects only: of others there are none.
+    """
+    for index in range(0 if get_category(category).background else count):
         yield _of_instance(category, TEST_SEED + index, "alone", cache, frames)
 
 
@@ -148,7 +153,7 @@ def library(folder: Path, category: str, cache: SequenceCache, frames: int = 100
             yield SimulatedSequence(name, partial(_same, mesh.shape), TEST_SEED + index, motion, frames, cache)
 
 
-def _of_instance(category: str, seed: int, motion: Motion, cache: SequenceCache, frames: int) -> SimulatedSequence:
+def _of_instance(category: str, seed: int, motion: "Motion", cache: SequenceCache, frames: int) -> SimulatedSequence:
     name = f"{category}__procedural-{seed}__{motion}"
     return SimulatedSequence(name, partial(_procedural_shape, category, seed), seed, motion, frames, cache)
 

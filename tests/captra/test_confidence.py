@@ -58,27 +58,30 @@ def test_a_missing_part_is_never_trusted() -> None:
 
 def test_a_part_that_rides_is_as_right_as_the_part_that_it_rides_on_but_for_its_few_points() -> None:
     model, nothing = ConfidenceModel(), PartEvidence.missing(0, np.zeros(3))
-    carried = replace(evidence(GOOD, nothing), rides=(Ride(1, 0, found=0.0),))
+    carried = replace(evidence(GOOD, nothing), rides=(Ride(1, 0, 0, turned=0.0, seen=0.0),))
     assert model(carried) == pytest.approx(model(evidence(GOOD, replace(GOOD, share=0.0))))
     assert 0.5 < model(carried) < model(evidence(GOOD))
-    half = replace(evidence(GOOD, BAD), rides=(Ride(1, 0, found=0.5),))
+    half = replace(evidence(GOOD, BAD), rides=(Ride(1, 0, 0, turned=0.5, seen=0.5),))
     assert model(evidence(GOOD, BAD)) < model(half) < model(evidence(GOOD))
     assert model(replace(evidence(BAD, nothing), rides=carried.rides)) <= model(evidence(BAD))
 
 
-def test_the_longer_a_joint_is_only_taken_to_stand_still_the_less_its_part_is_trusted() -> None:
+def test_the_longer_a_hinge_is_only_taken_to_stand_still_the_less_its_part_is_trusted() -> None:
     nothing = PartEvidence.missing(0, np.zeros(3))
-    told = [ConfidenceModel()(replace(evidence(GOOD, nothing), rides=(Ride(1, 0, 0.0, s),))) for s in (0, 1, 5, 30)]
+
+    def hidden_for(frames: float) -> Evidence:
+        return replace(evidence(GOOD, nothing), rides=(Ride(1, 0, 0, 0.0, 0.0, frames),))
+
+    told = [ConfidenceModel()(hidden_for(frames)) for frames in (0, 1, 5, 30)]
     assert sorted(told, reverse=True) == told
-    assert told[1] > 0.4
-    assert told[3] < 0.1
-    chain = replace(evidence(GOOD, nothing, nothing), rides=(Ride(1, 0, 0.0, 30.0), Ride(2, 1, 0.0)))
-    assert features(chain)[:, FEATURES.index("stood_still")].tolist() == pytest.approx([0.0, np.log(31), 0.0])
+    assert told[0] - told[3] > 0.1
+    chain = replace(evidence(GOOD, nothing, nothing), rides=(*hidden_for(1e9).rides, Ride(2, 1, 1, 0.0, 0.0)))
+    assert features(chain)[:, FEATURES.index("stood_still")].tolist() == pytest.approx([0.0, 1.0, 0.0])
 
 
 def test_a_part_rides_on_one_that_rides_itself() -> None:
     nothing = PartEvidence.missing(0, np.zeros(3))
-    chain = replace(evidence(nothing, nothing, GOOD), rides=(Ride(1, 2, found=0.0), Ride(0, 1, found=0.0)))
+    chain = replace(evidence(nothing, nothing, GOOD), rides=(Ride(1, 2, 0, 0.0, 0.0), Ride(0, 1, 1, 0.0, 0.0)))
     assert ConfidenceModel()(chain) == pytest.approx(ConfidenceModel()(evidence(GOOD, replace(GOOD, share=0.0))))
 
 

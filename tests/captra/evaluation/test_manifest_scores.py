@@ -56,7 +56,8 @@ def test_the_command_names_no_folder_of_this_machine(tmp_path: Path, monkeypatch
     assert command_for("can", {"recordings": tmp_path / "recordings"}).endswith("--recordings RECORDINGS")
 
 
-def test_what_is_measured_is_what_the_manifest_says(bundle: Path) -> None:
+def test_what_is_measured_is_what_the_manifest_says(tmp_path: Path) -> None:
+    bundle = Path(shutil.copytree(ROOT / "models" / "scissors", tmp_path / "models" / "scissors"))
     arguments = ["evaluate", "--recordings", str(bundle), "--procedural", "1", "--frames", "4", "--write-scores"]
     arguments += [
         "--standalone",
