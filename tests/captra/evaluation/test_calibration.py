@@ -6,7 +6,7 @@ import pytest
 from captra.confidence import FEATURES, UNCALIBRATED, ConfidenceModel
 from captra.evaluation.calibration import RIDGE, Observations, auroc, confidences, fit, fit_confidence
 
-TRUTH = ConfidenceModel(7.0, {name: (1.4 if i % 2 else 0.8) * UNCALIBRATED[name] for i, name in enumerate(FEATURES)})
+TRUTH = ConfidenceModel(7.4, {name: (1.4 if i % 2 else 0.8) * UNCALIBRATED[name] for i, name in enumerate(FEATURES)})
 LOOSE_RIDGE = 3e-3
 
 
