@@ -130,7 +130,7 @@ def test_a_viewer_that_left_leaves_nothing_behind(service: Running) -> None:
     with connect(stream_of(service)) as viewer:
         viewer.send(json.dumps({"type": "watch", "session": session_id}))
         message(viewer, "result")
-        assert observers_of(session) == before + 1
+        wait_until(lambda: observers_of(session) == before + 1)
     wait_until(lambda: observers_of(session) == before)
 
 
@@ -208,9 +208,11 @@ def test_a_session_is_fed_one_preview_once(service: Running, viewer: ClientConne
     session_id = service.open_session()["session_id"]
     keys = ["captra/default/previews/left", "captra/default/previews/right"]
     previews = [network.declare_publisher(key, encoding=F32) for key in keys]
-    for wished in ("left", "right", "right"):
+    session, wishes = service.service.registry.get(session_id), ("left", "right", "right")
+    before = observers_of(session)
+    for wished in wishes:
         viewer.send(json.dumps({"type": "feed", "preview": wished, "session": session_id}))
-    assert message(viewer, "overview")
+    wait_until(lambda: observers_of(session) == before + len(wishes), "not all wishes were heard")
 
     def counters() -> dict[str, int]:
         told: dict[str, int] = service.session(session_id)["counters"]
