@@ -70,20 +70,18 @@ def rides(pose: Pose, evidence: Evidence, category: Category) -> Iterator[Ride]:
         return
     children = [_told(pose, evidence, joint, joint.child) for joint in category.joints]
     best = int(np.argmax(children))
-    joint = category.joints[best]
-    root_leads = _told(pose, evidence, joint, joint.parent) >= children[best] or joint.parent != category.root
-    if not root_leads:
-        yield _ride(pose, evidence, category, best, joint.parent)
-    for index, joint in enumerate(category.joints):
-        if root_leads or index != best:
-            yield _ride(pose, evidence, category, index, joint.child)
+    leading = category.joints[best]
+    root = _told(pose, evidence, leading, leading.parent)
+    root_rides = leading.parent == category.root and root < children[best]
+    if root_rides:
+        yield _ride(evidence, best, leading.parent, leading.child, root)
+    for index, (joint, told) in enumerate(zip(category.joints, children, strict=True)):
+        if not (root_rides and index == best):
+            yield _ride(evidence, index, joint.child, joint.parent, told)
 
 
-def _ride(pose: Pose, evidence: Evidence, category: Category, index: int, part: int) -> Ride:
-    joint = category.joints[index]
-    by = joint.parent if part == joint.child else joint.child
-    told = _told(pose, evidence, joint, part)
-    return Ride(part, by, index, _share(told), _share(len(evidence.parts[part].explained)))
+def _ride(evidence: Evidence, joint: int, part: int, by: int, told: float) -> Ride:
+    return Ride(part, by, joint, _share(told), _share(len(evidence.parts[part].explained)))
 
 
 def _told(pose: Pose, evidence: Evidence, joint: Joint, part: int) -> float:
