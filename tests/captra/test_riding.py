@@ -11,6 +11,7 @@ from captra.geometry import Pose, axis_angle, is_rotation
 from captra.health import State
 from captra.metrics import rotation_error_deg
 from captra.riding import FEW_POINTS, Standstill, ride_along, rides
+from captra.sampling import NoPointsError
 from captra.tracker import Tracker, TrackResult
 from tests.oracle import OracleNetworks, elsewhere, explaining, surfaces
 
@@ -142,7 +143,7 @@ def test_a_board_that_is_seen_from_its_edge_turns_with_the_other_about_that_edge
 
 def test_points_on_a_line_tell_of_a_slide_as_well_as_others() -> None:
     last = pose(DRAWERS)
-    line = seen(last, 1, np.array([0.2, 0.0, 0.0]), np.zeros(3), points=30)
+    line = seen(last, 1, np.array([0.0, 0.0, 0.2]), np.zeros(3), points=30)  # along the slide
     parts = tuple(line if part == 1 else PartEvidence.missing(0, np.zeros(3)) for part in range(4))
     (ride,) = (one for one in rides(last, Evidence(parts, 1.0, 30), DRAWERS) if one.part == DRAWERS.root)
     assert (ride.by, ride.turned) == (1, 0.0)
@@ -225,3 +226,6 @@ def test_a_track_of_which_a_temple_is_hidden_for_long_is_trusted_less_but_not_lo
     tracker.reset(truth)
     tracker.step(surfaces(truth, 800, rng))
     assert hidden_for(1).evidence.rides[0].stood == 1.0
+    with pytest.raises(NoPointsError):
+        tracker.step(np.zeros((0, 3), np.float32))
+    assert hidden_for(1).evidence.rides[0].stood == 3.0
