@@ -7,7 +7,7 @@ looks the same however deep the drawer is. At a size that is known, the points a
 from dataclasses import replace
 
 import numpy as np
-from jaxtyping import Float, Float64
+from jaxtyping import Bool, Float, Float64
 
 from captra.evidence import Evidence
 from captra.geometry import Pose
@@ -15,18 +15,39 @@ from captra.geometry import Pose
 FEWEST_POINTS = 20
 """Fewer say nothing of where a box ends."""
 
-STRAYS = 0.02
+STRAYS = 0.005
 """Share of points, at either end of each axis, that may be strays."""
+
+TIGHT = 0.015
+"""In units of the scale: a box is filled from side to side by points that reach as far as its side is long, within
+this."""
 
 
 def contained(pose: Pose, evidence: Evidence) -> Pose:
     """The pose with every part's box moved, as little as need be, to hold the points that its fit explains."""
-    shifts = [
-        _shift((part.explained - centre) @ rotation, size)
-        for part, centre, rotation, size in zip(evidence.parts, pose.translation, pose.rotation, pose.size, strict=True)
-    ]
+    shifts = [_shift(points, size) for points, size in zip(_own_points(pose, evidence), pose.size, strict=True)]
     moved = np.einsum("pij,pj->pi", pose.rotation, np.stack(shifts))
     return replace(pose, translation=pose.translation + moved)
+
+
+def filled(pose: Pose, evidence: Evidence) -> Bool[np.ndarray, "parts 3"]:
+    """Along which of its axes each part reaches from side to side of its box, which then can be nowhere else."""
+    return np.stack([_fills(points, size) for points, size in zip(_own_points(pose, evidence), pose.size, strict=True)])
+
+
+def _own_points(pose: Pose, evidence: Evidence) -> list[Float[np.ndarray, "points 3"]]:
+    """What the fit explains of every part, metres, in the part's frame."""
+    return [
+        (part.explained - centre) @ rotation
+        for part, centre, rotation in zip(evidence.parts, pose.translation, pose.rotation, strict=True)
+    ]
+
+
+def _fills(points_part: Float[np.ndarray, "points 3"], size: Float64[np.ndarray, "3"]) -> Bool[np.ndarray, "3"]:
+    if len(points_part) < FEWEST_POINTS:
+        return np.zeros(3, bool)
+    first, last = reach(points_part.T, STRAYS)
+    return np.asarray(np.abs(last - first - size) < TIGHT * np.linalg.norm(size))
 
 
 def _shift(points_part: Float[np.ndarray, "points 3"], size: Float64[np.ndarray, "3"]) -> Float64[np.ndarray, "3"]:

@@ -24,6 +24,7 @@ from captra.side_by_side import SideBySide
 from captra.solving import Prediction, per_point_rotations, reject_leaps, solve
 from captra.strays import without_strays
 from captra.visibility import visible
+from captra.walls import along_walls
 
 
 class Networks(Protocol):
@@ -126,7 +127,7 @@ def look(
     prediction = predict(networks, points_canonical, neighborhoods, segmentation.labels(crop.indices))
     prediction = told_apart(prediction, crop.points, around, category)
     inferred = perf_counter()
-    allowed = projection or networks.joint_projection
+    allowed = along_walls(projection or networks.joint_projection, crop.points, neighborhoods[category.root], category)
     pose, evidence = solve(crop.points, prediction, around, category, networks.rotation_fusion, allowed)
     pose, evidence = reject_leaps(pose, evidence, around)
     distinct_points = 1 + int(np.count_nonzero(np.diff(np.sort(crop.indices))))

@@ -25,6 +25,9 @@ FEW_POINTS = 40
 PerAxis = tuple[tuple[float, float, float], ...]
 """A number for x, y and z of every part; a single row is that of all parts."""
 
+PerPart = tuple[tuple[float], ...]
+"""A number for every part; a single row is that of all parts."""
+
 
 @dataclass(frozen=True)
 class FoundError:
@@ -37,6 +40,10 @@ class FoundError:
     """In units of the part's scale."""
     rotation_deg: PerAxis = ((1.5, 1.5, 1.5),)
     """Degrees."""
+    scale: PerPart = ((0.03,),)
+    """Of its logarithm."""
+    side: PerAxis = ((0.04, 0.04, 0.04),)
+    """Of the lengths of the box's sides, in units of the scale: sides that are not seen are guessed."""
 
     @staticmethod
     def measured(calibration: Mapping[str, Any]) -> "FoundError":

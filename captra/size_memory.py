@@ -6,19 +6,14 @@ import numpy as np
 from jaxtyping import Bool, Float64, Int64
 
 from captra.geometry import Pose
+from captra.pose_memory import USUAL_ERROR, FoundError
 
 GIVEN_ERROR = 0.03
 """Standard deviation of the logarithm of a given size: whoever knows an object knows its size to some 3 %."""
 
-SCALE_ERROR = 0.03
-"""Likewise of the scale that networks find for one object, however often they look: they err alike every time."""
-
-SIDE_ERROR = 0.04
-"""Likewise of a side as long as the scale; shorter ones are told as much worse as they are shorter, since coordinates
-err by a share of the scale."""
-
 FRAME_ERROR = 0.3
-"""Likewise of what one frame adds to that, taken so large since frames that follow each other err alike."""
+"""Likewise of what one frame adds to the error that networks always make, taken so large since frames that follow each
+other err alike."""
 
 SMALLEST_SIDE_M = 1e-4
 
@@ -31,6 +26,8 @@ class SizeMemory:
     """Its scale and size are what was given."""
     given_error: float
     """Standard deviation of the logarithms of both."""
+    found_error: FoundError
+    """By how much networks err on one object's size however often they look."""
     mean_log_scale: Float64[np.ndarray, " parts"]
     """Of the measured scales, metres."""
     mean_log_size: Float64[np.ndarray, "parts 3"]
@@ -39,10 +36,11 @@ class SizeMemory:
     """How many were measured of each part: one that is hidden keeps its size, which measures nothing."""
 
     @staticmethod
-    def of(given: Pose, given_error: float = GIVEN_ERROR) -> "SizeMemory":
+    def of(given: Pose, given_error: float = GIVEN_ERROR, found_error: FoundError = USUAL_ERROR) -> "SizeMemory":
         """Before the first frame: only the given pose is known."""
         parts = given.num_parts
-        return SizeMemory(given, given_error, np.zeros(parts), np.zeros((parts, 3)), np.zeros(parts, np.int64))
+        nothing = np.zeros(parts), np.zeros((parts, 3)), np.zeros(parts, np.int64)
+        return SizeMemory(given, given_error, found_error, *nothing)
 
     def updated(self, measured: Pose, seen: Bool[np.ndarray, " parts"]) -> "SizeMemory":
         """After one more frame in which some parts were seen."""
@@ -59,12 +57,13 @@ class SizeMemory:
     @property
     def scale(self) -> Float64[np.ndarray, " parts"]:
         """What is believed of the scale, metres."""
-        return self._weighed(self.given.scale, self.mean_log_scale, SCALE_ERROR, self.frames)
+        error = np.array(self.found_error.scale)[:, 0]
+        return self._weighed(self.given.scale, self.mean_log_scale, error, self.frames)
 
     @property
     def size(self) -> Float64[np.ndarray, "parts 3"]:
         """What is believed of the box's sides, metres."""
-        error = SIDE_ERROR * self.given.scale[:, None] / self.given.size
+        error = np.array(self.found_error.side) * self.given.scale[:, None] / self.given.size
         return self._weighed(self.given.size, self.mean_log_size, error, self.frames[:, None])
 
     def apply(self, measured: Pose, centroid: Float64[np.ndarray, "parts 3"]) -> Pose:
@@ -81,7 +80,7 @@ class SizeMemory:
         self,
         given: Float64[np.ndarray, "*sides"],
         mean_log: Float64[np.ndarray, "*sides"],
-        error: float | Float64[np.ndarray, "*sides"],
+        error: Float64[np.ndarray, "..."],
         frames: Int64[np.ndarray, "..."],
     ) -> Float64[np.ndarray, "*sides"]:
         """Each counts by the inverse of its variance; a given size far from the measured one is doubted (Cauchy)."""

@@ -7,8 +7,9 @@ import numpy as np
 from jaxtyping import Float
 
 from captra.box_turns import BoxTurns
-from captra.containment import contained
+from captra.containment import contained, filled
 from captra.evidence import Evidence
+from captra.fronts import behind_fronts
 from captra.geometry import Pose
 from captra.health import HealthMonitor, State
 from captra.joint_projection import JointProjection
@@ -95,6 +96,11 @@ class Tracker:
         return self._pose
 
     @property
+    def size(self) -> SizeMemory:
+        """What is remembered of the object's size."""
+        return self._size
+
+    @property
     def health(self) -> HealthMonitor:
         """State and confidence after the last frame."""
         return self._health
@@ -117,7 +123,7 @@ class Tracker:
             )
         self._pose = pose
         self._given = True  # and rough: the first look may well find the object elsewhere
-        self._size = SizeMemory.of(pose, self._options.given_size_error)
+        self._size = SizeMemory.of(pose, self._options.given_size_error, self._found_error)
         self._memory = PoseMemory.nothing_known(pose.num_parts)
         self._box_turns = BoxTurns.nothing_known(pose.num_parts)
         self._slides = NO_SLIDES
@@ -235,16 +241,31 @@ class Tracker:
         """Where the object is believed to be: what was found, and what the given pose told that cannot be seen."""
         pose, self._size = self._sized(found)
         if self._credible and self._given:
-            error = (self._options.found_error or self._networks.found_error).seen_by(found.evidence)
+            error = self._found_error.seen_by(found.evidence)
             possible = stacked(pose, self._pose, self._category, error)
             self._memory = PoseMemory.between(self._pose, possible, self._category, error)
             self._box_turns = BoxTurns.between(self._pose, possible, self._category, error)
             self._slides = Slides.through(self._memory.apply(possible, found.evidence.fitted), self._category)
         if self._credible:
             self._box_turns = self._box_turns.updated(pose, found.evidence)
-            self._memory = self._box_turns.refine(self._memory, pose.size)
+            memory = self._box_turns.refine(self._memory, pose.size)
+            last = memory.apply(pose, found.evidence.fitted) if self._given else self._pose
+            self._memory = behind_fronts(memory, pose, last, found.evidence, self._category)
+            self._slides = self._slides.updated(self._rooted(pose, found.evidence), filled(pose, found.evidence))
         placed = self._slides.apply(self._memory.apply(pose, found.evidence.fitted))
         return ride_along(placed, found.evidence, self._pose, self._category)
+
+    def _rooted(self, pose: Pose, evidence: Evidence) -> Pose:
+        """Parts as they were found around a root where it is believed to be."""
+        root = self._category.root
+        translation = np.array(pose.translation)
+        translation[root] = self._memory.apply(pose, evidence.fitted).translation[root]
+        return replace(pose, translation=translation)
+
+    @property
+    def _found_error(self) -> FoundError:
+        """By how much poses as networks find them are off on one object all the time."""
+        return self._options.found_error or self._networks.found_error
 
     @property
     def _credible(self) -> bool:

@@ -147,6 +147,9 @@ def fuse(
     sequences: Annotated[int, typer.Option(help="Procedural validation sequences per category.", min=1)] = 24,
     frames: Annotated[int, typer.Option(help="Of each.", min=2)] = 100,
     instances: Annotated[int, typer.Option(help="Objects on which lasting errors are measured.", min=2)] = 24,
+    errors_only: Annotated[
+        bool, typer.Option("--errors-only", help="Keep the fusion, measure lasting errors.")
+    ] = False,
     models: Models = DEFAULT_MODELS,
     profile: ProfileName = "realtime",
     provider: Provider = "cpu",
@@ -155,8 +158,8 @@ def fuse(
 ) -> None:
     """Choose on validation sequences how a bundle's opinions on rotations become one, and note it in the manifest.
 
-    Tries whether to ask about the mirrored cloud too, and measures by how much poses stay wrong on one object: so much
-    is made up for by the given pose.
+    Tries whether to ask about the mirrored cloud too, and measures by how much poses and sizes stay wrong on one
+    object: so much is made up for by the given pose.
 
     Example: captra fuse --category mug
     """
@@ -167,7 +170,7 @@ def fuse(
 
     from captra.categories import get_category
     from captra.evaluation.found_errors import describe, measure_found_error
-    from captra.evaluation.fusion_choice import FusedNetworks, choose, measure
+    from captra.evaluation.fusion_choice import FusedNetworks, Fusion, choose, measure
     from captra.evaluation.sequence_cache import SequenceCache
     from captra.evaluation.sequences import VALIDATION_SEED
     from captra.evaluation.sequences import procedural as unseen
@@ -181,13 +184,15 @@ def fuse(
     with workers(jobs) as pool:
         for name in names:
             networks = exported(models, name, profile, provider, max(1, available_cores() // jobs))
-            sources = list(unseen(name, sequences, kept, frames, VALIDATION_SEED))
-            best, means = choose(name, partial(measure, networks, sources, pool))
+            best = Fusion.of(load_manifest(models / name))
+            if not errors_only:
+                sources = list(unseen(name, sequences, kept, frames, VALIDATION_SEED))
+                best, means = choose(name, partial(measure, networks, sources, pool))
+                console.print(table(means, f"{name}: {best.name} is in the manifest now"))
             objects = list(unseen(name, instances, kept, frames, VALIDATION_SEED))
             error = measure_found_error(get_category(name), FusedNetworks(networks, best), objects, pool)
             manifest = replace(best.set_in(load_manifest(models / name)), found_error=error.calibration)
             write_manifest(models / name, manifest)
-            console.print(table(means, f"{name}: {best.name} is in the manifest now"))
             console.print(f"{name}: {describe(error)}")
 
 

@@ -32,6 +32,11 @@ class Fusion:
     mirror: str = "none"
     """Of CoordinateNet's cloud: a name of `captra.mirrors.MIRRORS`."""
 
+    @staticmethod
+    def of(manifest: Manifest) -> "Fusion":
+        """That of a bundle as it is."""
+        return Fusion(manifest.rotation_fusion, manifest.joint_projection, manifest.mirror)
+
     @property
     def name(self) -> str:
         """For tables."""

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from captra.containment import contained
+from captra.containment import TIGHT, contained, filled
 from captra.evidence import Evidence
 from captra.geometry import Pose, axis_angle
 from captra.tracker import Tracker
@@ -68,13 +68,26 @@ def test_points_that_reach_further_than_the_box_end_up_around_its_middle() -> No
     assert abs(offset[1]) <= 0.2 * SIZE[1] + 1e-6
 
 
-@pytest.mark.parametrize("strays", [0, 30])
+@pytest.mark.parametrize("strays", [0, 10])
 def test_a_few_strays_and_a_few_points_say_nothing(strays: int) -> None:
     truth, rng = box(3), np.random.default_rng(3)
     own = rng.uniform(-0.5, 0.5, (2000, 3)) * SIZE
     own[:strays] += [0.5, 0, 0]
     np.testing.assert_allclose(contained(truth, points_of(truth, own)).translation, truth.translation, atol=1e-9)
     np.testing.assert_allclose(contained(truth, points_of(truth, own[:19] + 1)).translation, truth.translation)
+
+
+@given(st.integers(0, 2), st.floats(0.5, 1.5), st.integers(0, 9))
+def test_a_box_is_filled_along_the_axes_on_which_its_points_reach_from_side_to_side(
+    axis: int, length: float, seed: int
+) -> None:
+    pose, stretched = box(seed), np.where(np.arange(3) == axis, length, 1.0)
+    own = box_surface(SIZE * stretched, 4000, np.random.default_rng(seed))
+    off = np.abs(length - 1) * SIZE[axis] / pose.scale[0]
+    fills = filled(moved(pose, np.array([0.01, 0.02, 0.03])), points_of(pose, own))
+    assert fills[0, (np.arange(3) != axis)].all(), "wherever the box was found"
+    assert fills[0, axis] == (off < TIGHT)
+    assert not filled(pose, points_of(pose, own[:19])).any(), "a few points say nothing"
 
 
 def test_a_track_stays_around_its_points_though_coordinates_are_off() -> None:

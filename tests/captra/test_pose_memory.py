@@ -50,9 +50,12 @@ def test_what_is_measured_of_an_axis_counts_for_that_axis_alone(seed: int) -> No
 
 
 def test_what_a_manifest_says_is_read_and_what_it_does_not_say_is_usual() -> None:
-    error = FoundError(((0.01, 0.02, 0.03),), ((1.0, 2.0, 3.0),))
-    assert FoundError.measured(json.loads(json.dumps(error.calibration))) == error
+    error = FoundError(((0.01, 0.02, 0.03),), ((1.0, 2.0, 3.0),), ((0.05,),), ((0.1, 0.2, 0.3),))
+    kept = json.loads(json.dumps(error.calibration))
+    assert FoundError.measured(kept) == error
     assert FoundError.measured({}) == USUAL_ERROR
+    del kept["scale"], kept["side"]
+    assert FoundError.measured(kept) == replace(error, scale=USUAL_ERROR.scale, side=USUAL_ERROR.side)
 
 
 def test_a_centre_found_from_few_points_is_worth_less() -> None:
@@ -123,7 +126,7 @@ def test_parts_that_were_not_fitted_stay() -> None:
 @pytest.mark.parametrize("again", [False, True])
 def test_a_track_remembers_the_given_centre_until_it_is_given_another(again: bool) -> None:
     rng = np.random.default_rng(1)
-    category, small, cloud = scene("drawers", rng)
+    category, small, cloud = scene("glasses", rng)
     truth = Pose(small.rotation, 8 * small.translation, 8 * small.scale, 8 * small.size)
     given_pose = off_by(truth, np.array([0.0, 0.0, 0.02]))
     networks = OracleNetworks(category, truth, given_pose)
@@ -139,7 +142,7 @@ def test_a_track_remembers_the_given_centre_until_it_is_given_another(again: boo
 
 def test_a_track_holds_on_to_the_given_centre_of_a_part_of_which_little_is_seen() -> None:
     rng = np.random.default_rng(2)
-    category, truth, cloud = scene("drawers", rng)
+    category, truth, cloud = scene("glasses", rng)
     given_pose = off_by(truth, np.array([0.0, 0.0, 0.015]))
     held = []
     for seen in (cloud, np.concatenate([cloud[:20], cloud[3000:]])):

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from captra.geometry import Pose
+from captra.pose_memory import USUAL_ERROR
 from captra.size_memory import SizeMemory
 from captra.tracker import Tracker
 from tests.oracle import OracleNetworks, scene
@@ -46,6 +47,18 @@ def test_a_thin_side_is_measured_worse_than_a_long_one() -> None:
     given, measured = pose(0.2, (0.01, 0.15, 0.1)), pose(0.2, (0.015, 0.225, 0.15))
     gained = np.log(remembered(given, measured, 100).size / given.size)[0]
     assert gained[0] < gained[2] < gained[1]
+
+
+def test_what_networks_were_measured_to_know_badly_is_kept_as_it_was_given() -> None:
+    error = replace(USUAL_ERROR, scale=((0.03,),), side=((0.01, 0.3, 0.01),))
+    memory = SizeMemory.of(pose(0.2), found_error=error)
+    for _ in range(300):
+        memory = memory.updated(pose(0.21, (0.11, 0.13, 0.11)), SEEN)
+    gained = np.log(memory.size / pose().size)[0] / np.log([1.1, 13 / 12, 1.1])
+    assert gained[0] == gained[2] > 0.5
+    assert gained[1] < 0.01
+    guessed = replace(memory, found_error=replace(error, scale=((0.3,),)))
+    assert 1 < guessed.scale[0] / 0.2 < 1.002 < memory.scale[0] / 0.2
 
 
 @pytest.mark.parametrize(("given_error", "share"), [(0.0, 0.0), (1e3, 1.0)])

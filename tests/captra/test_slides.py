@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from captra.categories import get_category
 from captra.geometry import Pose, axis_angle
-from captra.slides import NO_SLIDES, Slides
+from captra.slides import FURTHEST, NO_SLIDES, Slides
 from captra.tracker import Tracker
 from tests.oracle import OracleNetworks, surfaces
 
@@ -48,10 +48,43 @@ def test_slides_go_with_the_cabinet(seed: int, opened: np.ndarray) -> None:
     np.testing.assert_allclose(Slides.through(pose, DRAWERS).apply(moved).translation, moved.translation, atol=1e-9)
 
 
+FILLED = np.ones((4, 3), bool)
+
+
+def seen(frames: int, astray: np.ndarray, filled: np.ndarray = FILLED) -> np.ndarray:
+    """How far off its slide the lowest drawer is put, metres, after so many frames in which it was seen so far off."""
+    pose = cabinet(1)
+    slides = Slides.through(pose, DRAWERS)
+    off = np.where(np.arange(4)[:, None] == 0, astray, 0.0)
+    for _ in range(frames):
+        slides = slides.updated(pulled(pose, off), filled)
+    return np.asarray((slides.apply(pose).translation - pose.translation)[0] @ pose.rotation[0])
+
+
+def test_a_drawer_that_is_seen_from_edge_to_edge_tells_where_its_slide_runs_the_better_the_longer() -> None:
+    astray = np.array([0.01, -0.02, 0.0])
+    shares = np.stack([seen(frames, astray)[:2] / astray[:2] for frames in (0, 1, 10, 1000)])
+    assert (np.diff(shares, axis=0) > 0.05).all()
+    np.testing.assert_allclose(shares[[0, -1]], [[0.0, 0.0], [0.86, 0.86]], atol=0.01)
+
+
+def test_each_axis_tells_of_itself_and_only_where_the_box_is_filled() -> None:
+    across = FILLED & (np.arange(3) == 0)
+    x, y, _ = seen(100, np.array([0.01, 0.01, 0.0]), across)
+    assert x > 0.008
+    assert y == pytest.approx(0, abs=1e-12)
+
+
+def test_a_drawer_that_is_mistaken_for_its_neighbour_does_not_move_the_slide() -> None:
+    furthest = FURTHEST * cabinet(1).size[0, 1]
+    assert seen(100, np.array([0.0, 1.1 * furthest, 0.0]))[1] == pytest.approx(0, abs=1e-12)
+    assert seen(100, np.array([0.0, 0.9 * furthest, 0.0]))[1] > 0.7 * furthest
+
+
 def test_nothing_holds_parts_that_turn_or_are_not_known() -> None:
     pose = cabinet(1)
     assert NO_SLIDES.apply(pose).translation.tolist() == pose.translation.tolist()
-    assert not Slides.through(pose.part(0), SCISSORS).offset_parent
+    assert not Slides.through(pose.part(0), SCISSORS).of_joint
 
 
 @pytest.mark.parametrize("again", [False, True])

@@ -62,6 +62,27 @@ def test_what_comes_and_goes_is_not() -> None:
     assert noisy < 1.5
 
 
+class Larger(OracleNetworks):
+    """Networks to which every object seems longer, and all its other sides shorter."""
+
+    def coordinates(self, points_canonical, neighborhoods):  # type: ignore[no-untyped-def]
+        labels, coordinates = super().coordinates(points_canonical, neighborhoods)
+        return labels, coordinates * np.array([1.0, 1.0, 1.2], np.float32) / np.float32(1.2)
+
+
+def test_what_networks_make_of_the_size_is_measured_whatever_was_given(monkeypatch: pytest.MonkeyPatch) -> None:
+    recording = still_recording("camera", 4)
+    larger = Larger(recording.category, recording.truth(0), recording.truth(0))
+    monkeypatch.setattr("captra.evaluation.found_errors.loaded", lambda _: larger)
+    held = [Held(Sequence(recording, ()))] * 2
+    error = measure_found_error(recording.category, Biased("camera", ()), held, Here())
+    ((scale,),), ((x, y, z),) = error.scale, error.side
+    aspect = recording.size[0] / np.linalg.norm(recording.size[0])
+    assert 0.02 < scale < 0.18
+    assert z == pytest.approx(aspect[2] * (np.exp(scale) - 1), rel=0.1)
+    np.testing.assert_allclose((x, y), aspect[:2] * (1 - np.exp(scale) / 1.2), rtol=0.1)
+
+
 def test_lost_tracks_count_as_little_as_the_worst_ones_that_hold() -> None:
     assert measured("camera", (40.0, -40.0)).rotation_deg[0][1] <= LARGEST_ROTATION_DEG
 
@@ -69,12 +90,12 @@ def test_lost_tracks_count_as_little_as_the_worst_ones_that_hold() -> None:
 def test_an_object_that_looks_the_same_all_round_has_no_error_about_its_axis_and_like_ones_across_it() -> None:
     error = measured("bottle", (5.0, -5.0))
     assert error.rotation_deg[0][1] < 0.1
-    for x, _, z in (error.rotation_deg[0], error.centre[0]):
+    for x, _, z in (error.rotation_deg[0], error.centre[0], error.side[0]):
         assert x == z
 
 
 def test_it_fits_into_a_manifest() -> None:
     error = measured("scissors", (2.0, -2.0))
     assert FoundError.measured(error.calibration) == error
-    assert len(error.centre) == len(error.rotation_deg) == 2
+    assert len(error.centre) == len(error.rotation_deg) == len(error.scale) == len(error.side) == 2
     assert "% of the scale" in describe(error)

@@ -64,6 +64,7 @@ def test_a_bundle_is_run_with_the_fusion_asked_for() -> None:
     fused = FusedNetworks(exported, Fusion("coordinates", "pooled", "left-and-right")).load()
     assert isinstance(fused, OnnxNetworks)
     assert fused.manifest.mirror == "left-and-right"
+    assert Fusion.of(fused.manifest) == Fusion("coordinates", "pooled", "left-and-right")
     assert fused.rotation_fusion is ROTATION_FUSIONS["coordinates"]
     assert fused.joint_projection is JOINT_PROJECTIONS["pooled"]
 
