@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
-from jaxtyping import Float64
+from jaxtyping import Float64, Int
 
 from captra.categories import Category, Joint
 from captra.evidence import Evidence, Ride
@@ -94,6 +94,18 @@ def _told(pose: Pose, evidence: Evidence, joint: Joint, part: int) -> float:
     away = own - np.outer(own @ axis, axis)
     squared_spread = np.square(away).sum(axis=1).mean() / pose.scale[part] ** 2
     return float(len(points) * min(1.0, squared_spread / SPREAD_ENOUGH**2))
+
+
+def carried(pose: Pose, last: Pose, seen: Int[np.ndarray, " parts"]) -> Pose:
+    """The pose with every part of which no point is seen moved from where it last was as the one most is seen of."""
+    leader, hidden = int(np.argmax(seen)), (seen == 0)[:, None]
+    moved = pose.rotation[leader] @ last.rotation[leader].T
+    centre = pose.translation[leader] + (last.translation - last.translation[leader]) @ moved.T
+    return replace(
+        pose,
+        rotation=np.where(hidden[..., None], project_to_rotation(moved @ last.rotation), pose.rotation),
+        translation=np.where(hidden, centre, pose.translation),
+    )
 
 
 def _share(told: float) -> float:

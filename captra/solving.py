@@ -19,6 +19,7 @@ from captra.evidence import (
 )
 from captra.geometry import Pose, project_to_rotation, rotation_from_6d, rotation_from_axis
 from captra.joint_projection import UNPROJECTED, JointProjection
+from captra.riding import carried
 from captra.rotation_fusion import ROTATION_NET_ALONE, RotationFusion
 from captra.turn import Turn, angle_between
 
@@ -101,12 +102,18 @@ def solve(
     fusion: RotationFusion = ROTATION_NET_ALONE,
     projection: JointProjection = UNPROJECTED,
 ) -> tuple[Pose, Evidence]:
-    """Rotations first, then scale and translation in closed form, part by part; `last` is the pose looked around."""
+    """Rotations first, then scale and translation in closed form, part by part; `last` is the pose looked around.
+
+    A part of which nothing is seen keeps its pose, and binds those on its joints as if it had gone with them.
+    """
     masks = [prediction.labels == part for part in range(category.num_parts)]
     found = [
         fit_rotation(points[mask], prediction, part, mask, last, category, fusion) for part, mask in enumerate(masks)
     ]
-    rotations = projection(np.stack([one.rotation for one in found]), category)
+    seen = np.array([0 if one.aligned is None else mask.sum() for mask, one in zip(masks, found, strict=True)])
+    turned = replace(last, rotation=np.stack([one.rotation for one in found]))
+    allowed = projection(carried(turned, last, seen).rotation, category)
+    rotations = np.where((seen > 0)[:, None, None], allowed, turned.rotation)
     fits = [
         fit_part(points, prediction, part, mask, replace(one, rotation=rotation), last.part(part))
         for part, (mask, one, rotation) in enumerate(zip(masks, found, rotations, strict=True))

@@ -6,10 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Float
 
-from captra.box_turns import BoxTurns
-from captra.containment import contained, filled
 from captra.evidence import Evidence
-from captra.fronts import behind_fronts
 from captra.geometry import Pose
 from captra.health import HealthMonitor, State
 from captra.joint_projection import JointProjection
@@ -18,15 +15,14 @@ from captra.looking import Networks, Sighting, StepTiming, look
 from captra.motion import STANDING_STILL, MotionModel
 from captra.observations import Observation, PointCloud
 from captra.output_filter import UNFILTERED, OutputFilter
-from captra.pose_memory import FoundError, PoseMemory
+from captra.pose_memory import FoundError
 from captra.recovery import NO_SEARCH, Search, SearchBudget, most_agreed
-from captra.riding import Standstill, ride_along, rides
+from captra.remembering import Remembered
+from captra.riding import Standstill, carried, ride_along, rides
 from captra.sampling import NoPointsError
 from captra.segmentation import NOTHING_KNOWN, Segmentation
 from captra.size_memory import GIVEN_ERROR, SizeMemory
-from captra.slides import NO_SLIDES, Slides
 from captra.solving import hold_gauge
-from captra.stacking import stacked
 from captra.visibility import Visibility
 
 CONVINCING = 0.5
@@ -98,7 +94,7 @@ class Tracker:
     @property
     def size(self) -> SizeMemory:
         """What is remembered of the object's size."""
-        return self._size
+        return self._remembered.size
 
     @property
     def health(self) -> HealthMonitor:
@@ -123,10 +119,8 @@ class Tracker:
             )
         self._pose = pose
         self._given = True  # and rough: the first look may well find the object elsewhere
-        self._size = SizeMemory.of(pose, self._options.given_size_error, self._found_error)
-        self._memory = PoseMemory.nothing_known(pose.num_parts)
-        self._box_turns = BoxTurns.nothing_known(pose.num_parts)
-        self._slides = NO_SLIDES
+        found_error = self._options.found_error or self._networks.found_error
+        self._remembered = Remembered.of(pose, self._category, self._options.given_size_error, found_error)
         self._visibility, self._standstill = Visibility(), Standstill.of(self._category)
         self._health = self._health.restarted()
         self._motion = self._options.motion.restarted(pose)
@@ -231,41 +225,26 @@ class Tracker:
         """Confidence of one look by itself, wherever it looked."""
         return self._health.confidence_of(sighting.evidence.without_jumps())
 
-    def _sized(self, found: Sighting) -> tuple[Pose, SizeMemory]:
+    def _sized(self, found: Sighting) -> tuple[Pose, Remembered]:
         """What was found, in the gauge, at the size that the track would remember after it, around the points."""
-        pose = hold_gauge(found.pose, self._pose, self._category)
-        size = self._size.updated(pose, found.evidence.fitted) if self._credible else self._size
-        return contained(size.apply(pose, found.evidence.centroid), found.evidence), size
+        pose, remembered = hold_gauge(found.pose, self._pose, self._category), self._remembered
+        if self._credible:
+            remembered = remembered.measured(pose, found.evidence)
+        return remembered.sized(pose, found.evidence), remembered
 
     def _placed(self, found: Sighting) -> Pose:
-        """Where the object is believed to be: what was found, and what the given pose told that cannot be seen."""
-        pose, self._size = self._sized(found)
-        if self._credible and self._given:
-            error = self._found_error.seen_by(found.evidence)
-            possible = stacked(pose, self._pose, self._category, error)
-            self._memory = PoseMemory.between(self._pose, possible, self._category, error)
-            self._box_turns = BoxTurns.between(self._pose, possible, self._category, error)
-            self._slides = Slides.through(self._memory.apply(possible, found.evidence.fitted), self._category)
+        """Where the object is believed to be: what was found, and what is remembered that cannot be seen."""
+        evidence = found.evidence
+        pose, remembered = self._sized(found)
+        if not self._given:
+            pose = carried(pose, self._pose, evidence.fitted * evidence.explained_points)
+        elif self._credible:
+            remembered = remembered.beside(self._pose, pose, evidence)
         if self._credible:
-            self._box_turns = self._box_turns.updated(pose, found.evidence)
-            memory = self._box_turns.refine(self._memory, pose.size)
-            last = memory.apply(pose, found.evidence.fitted) if self._given else self._pose
-            self._memory = behind_fronts(memory, pose, last, found.evidence, self._category)
-            self._slides = self._slides.updated(self._rooted(pose, found.evidence), filled(pose, found.evidence))
-        placed = self._slides.apply(self._memory.apply(pose, found.evidence.fitted))
-        return ride_along(placed, found.evidence, self._pose, self._category)
-
-    def _rooted(self, pose: Pose, evidence: Evidence) -> Pose:
-        """Parts as they were found around a root where it is believed to be."""
-        root = self._category.root
-        translation = np.array(pose.translation)
-        translation[root] = self._memory.apply(pose, evidence.fitted).translation[root]
-        return replace(pose, translation=translation)
-
-    @property
-    def _found_error(self) -> FoundError:
-        """By how much poses as networks find them are off on one object all the time."""
-        return self._options.found_error or self._networks.found_error
+            last = remembered.place(pose, evidence) if self._given else self._pose
+            remembered = remembered.updated(pose, last, evidence)
+        self._remembered = remembered
+        return ride_along(remembered.place(pose, evidence), evidence, self._pose, self._category)
 
     @property
     def _credible(self) -> bool:

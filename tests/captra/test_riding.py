@@ -9,8 +9,9 @@ from captra.categories import Category, get_category
 from captra.evidence import Evidence, PartEvidence, Ride
 from captra.geometry import Pose, axis_angle, is_rotation
 from captra.health import State
+from captra.joint_projection import ALONG_AXES
 from captra.metrics import rotation_error_deg
-from captra.riding import FEW_POINTS, Standstill, ride_along, rides
+from captra.riding import FEW_POINTS, Standstill, carried, ride_along, rides
 from captra.sampling import NoPointsError
 from captra.tracker import Tracker, TrackResult
 from tests.oracle import OracleNetworks, elsewhere, explaining, surfaces
@@ -229,3 +230,41 @@ def test_a_track_of_which_a_temple_is_hidden_for_long_is_trusted_less_but_not_lo
     with pytest.raises(NoPointsError):
         tracker.step(np.zeros((0, 3), np.float32))
     assert hidden_for(1).evidence.rides[0].stood == 3.0
+
+
+@given(st.integers(0, 9), st.integers(0, 2))
+def test_what_is_hidden_goes_with_what_most_is_seen_of(seed: int, hidden: int) -> None:
+    last = pose(GLASSES, seed)
+    leader = (hidden + 1) % 3
+    seen = np.where(np.arange(3) == leader, 90, 9) * (np.arange(3) != hidden)
+    found = with_part(last, elsewhere(last), leader)
+    moved = carried(found, last, seen)
+    assert_same(moved, with_part(found, elsewhere(last), hidden))
+    assert_same(carried(found, last, np.full(3, 9)), found)
+
+
+@pytest.mark.parametrize("name", ["drawers", "laptop_articulated"])
+def test_a_root_of_which_nothing_is_seen_holds_nobody_back(name: str) -> None:
+    """Only moving parts are in sight while the whole object is turned and carried away."""
+    category = get_category(name)
+    root, parts = category.root, category.num_parts
+    rotation = axis_angle(np.array([0.2, 1.0, 0.1]), 2.9)
+    translation = np.array([0.0, 0.0, 1.5]) + np.arange(parts)[:, None] * [0.0, 0.3, 0.0]
+    truth = Pose.from_size(np.tile(rotation, (parts, 1, 1)), translation, np.tile([0.5, 0.25, 0.4], (parts, 1)))
+    networks = OracleNetworks(category, truth, truth, joint_projection=ALONG_AXES)
+    tracker = Tracker(networks, truth)
+    cloud = surfaces(truth, 2000, np.random.default_rng(0))
+    tracker.step(cloud)
+    step = axis_angle(np.array([0.3, 0.2, 1.0]), np.radians(2.0))
+    for _ in range(15):
+        networks.last = tracker.pose
+        networks.truth = replace(
+            networks.truth,
+            rotation=step @ networks.truth.rotation,
+            translation=(networks.truth.translation - translation[0]) @ step.T + translation[0] + [0.01, 0.005, 0.0],
+        )
+        points = surfaces(networks.truth, 2000, np.random.default_rng(0)).reshape(parts, 2000, 3)
+        tracker.step(np.delete(points, root, axis=0).reshape(-1, 3))
+    found, true = tracker.pose, networks.truth
+    assert rotation_error_deg(found.rotation, true.rotation, symmetric=False).max() < 1.5
+    assert np.linalg.norm(found.translation - true.translation, axis=1).max() < 0.02
