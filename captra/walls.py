@@ -1,6 +1,7 @@
 """Cabinets are built at right angles: what their walls and fronts face tells how they are turned.
 
 It tells it to a fraction of a degree, where networks are off by one or two.
+
 The rotation of an object among walls is a "Manhattan frame" (Straub et al., "A Mixture of Manhattan Frames", CVPR
 2014): each wall faces along one of its axes. Networks say which; least squares over the directions that local patches
 face says exactly how.
