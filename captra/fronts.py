@@ -19,6 +19,12 @@ from captra.pose_memory import PoseMemory
 FURTHEST = 0.04
 """In units of the scale: points that end further from where the front is expected end at something else."""
 
+THICKNESS = 0.06
+"""In units of the scale: how far behind the handle's end the front itself may be."""
+
+LEAST_SPAN = 0.5
+"""Of the box's sides: points that end with less of a front are cut off by something before them."""
+
 MOST_SLANTED = 0.02
 """Sine of the angle between the front and the ray to its middle, below which the front is not seen."""
 
@@ -58,9 +64,13 @@ def behind_fronts(memory: PoseMemory, pose: Pose, last: Pose, evidence: Evidence
 def _front(pose: Pose, evidence: Evidence, slide: Joint) -> float:
     """How far ahead of a part's centre its front is, metres along its slide; NaN if it is not seen."""
     axis, part = np.array(slide.axis), slide.child
-    rotation, centre, points = pose.rotation[part], pose.translation[part], evidence.parts[part].explained
+    rotation, centre, size = pose.rotation[part], pose.translation[part], pose.size[part]
+    own = (evidence.parts[part].explained - centre) @ rotation
     camera: Float64[np.ndarray, "3"] = -centre @ rotation
-    half_depth = np.abs(axis) @ pose.size[part] / 2
-    if len(points) < FEWEST_POINTS or axis @ camera - half_depth < MOST_SLANTED * np.linalg.norm(camera):
+    facing = axis @ camera - np.abs(axis) @ size / 2
+    if len(own) < FEWEST_POINTS or facing < MOST_SLANTED * np.linalg.norm(camera):
         return np.nan
-    return float(reach(((points - centre) @ rotation @ axis)[None], STRAYS)[1][0])
+    end = float(reach((own @ axis)[None], STRAYS)[1][0])
+    start, stop = reach(own[own @ axis > end - THICKNESS * np.linalg.norm(size)].T, STRAYS)
+    spans = (stop - start)[axis == 0] > LEAST_SPAN * size[axis == 0]
+    return end if spans.all() else np.nan
