@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 from jaxtyping import Bool, Float, Float64
 
+from captra.categories import Category
 from captra.evidence import Evidence
 from captra.geometry import Pose
 
@@ -16,16 +17,20 @@ FEWEST_POINTS = 20
 """Fewer say nothing of where a box ends."""
 
 STRAYS = 0.005
-"""Share of points, at either end of each axis, that may be strays."""
+"""Share of points, at either end of each axis, that may be strays of an object that comes alone."""
+
+STRAYS_OF_SCENES = 0.02
+"""Likewise of one that is told from its surroundings by the networks."""
 
 TIGHT = 0.015
 """In units of the scale: a box is filled from side to side by points that reach as far as its side is long, within
 this."""
 
 
-def contained(pose: Pose, evidence: Evidence) -> Pose:
+def contained(pose: Pose, evidence: Evidence, category: Category) -> Pose:
     """The pose with every part's box moved, as little as need be, to hold the points that its fit explains."""
-    shifts = [_shift(points, size) for points, size in zip(_own_points(pose, evidence), pose.size, strict=True)]
+    strays = STRAYS_OF_SCENES if category.background else STRAYS
+    shifts = [_shift(points, size, strays) for points, size in zip(_own_points(pose, evidence), pose.size, strict=True)]
     moved = np.einsum("pij,pj->pi", pose.rotation, np.stack(shifts))
     return replace(pose, translation=pose.translation + moved)
 
@@ -50,11 +55,13 @@ def _fills(points_part: Float[np.ndarray, "points 3"], size: Float64[np.ndarray,
     return np.asarray(np.abs(last - first - size) < TIGHT * np.linalg.norm(size))
 
 
-def _shift(points_part: Float[np.ndarray, "points 3"], size: Float64[np.ndarray, "3"]) -> Float64[np.ndarray, "3"]:
+def _shift(
+    points_part: Float[np.ndarray, "points 3"], size: Float64[np.ndarray, "3"], strays: float
+) -> Float64[np.ndarray, "3"]:
     """How far to move a centred box along its own axes; points that reach further than it end up around its middle."""
     if len(points_part) < FEWEST_POINTS:
         return np.zeros(3)
-    first, last = reach(points_part.T, STRAYS)
+    first, last = reach(points_part.T, strays)
     ends = last - size / 2, first + size / 2
     return np.asarray(np.clip(0.0, np.minimum(*ends), np.maximum(*ends)))
 

@@ -51,7 +51,7 @@ class Remembered:
 
     def sized(self, found: Pose, evidence: Evidence) -> Pose:
         """What was found, at the remembered size and around the points."""
-        return contained(self.size.apply(found, evidence.centroid), evidence)
+        return contained(self.size.apply(found, evidence.centroid), evidence, self.category)
 
     def beside(self, given: Pose, found: Pose, evidence: Evidence) -> "Remembered":
         """With what a given pose tells that the frame in which parts were found there cannot."""

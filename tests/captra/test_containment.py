@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from captra.categories import Category, get_category
 from captra.containment import TIGHT, contained, filled
 from captra.evidence import Evidence
 from captra.geometry import Pose, axis_angle
@@ -12,6 +13,7 @@ from captra.tracker import Tracker
 from tests.captra.test_confidence import GOOD
 from tests.oracle import OracleNetworks, box_surface, scene
 
+MUG, SCISSORS = get_category("mug"), get_category("scissors")
 SIZE = np.array([0.2, 0.3, 0.1])
 
 
@@ -36,7 +38,7 @@ shifts = st.tuples(*[st.floats(-0.05, 0.05)] * 3).map(np.array)
 def test_points_on_every_side_bring_the_box_back(shift: np.ndarray, seed: int) -> None:
     truth = box(seed)
     surface = box_surface(SIZE, 4000, np.random.default_rng(seed))
-    found = contained(moved(truth, shift), points_of(truth, surface))
+    found = contained(moved(truth, shift), points_of(truth, surface), MUG)
     np.testing.assert_allclose(found.translation, truth.translation, atol=1e-6)
     np.testing.assert_array_equal(found.rotation, truth.rotation)
     np.testing.assert_array_equal(found.size, truth.size)
@@ -46,7 +48,7 @@ def test_points_on_every_side_bring_the_box_back(shift: np.ndarray, seed: int) -
 def test_a_box_that_holds_its_points_stays(shift: np.ndarray, seed: int) -> None:
     pose = moved(box(seed), shift)
     own = np.random.default_rng(seed).uniform(-0.5, 0.5, (500, 3)) * (SIZE - 2 * np.abs(shift))
-    np.testing.assert_allclose(contained(pose, points_of(box(seed), own)).translation, pose.translation, atol=1e-9)
+    np.testing.assert_allclose(contained(pose, points_of(box(seed), own), MUG).translation, pose.translation, atol=1e-9)
 
 
 def test_where_only_the_front_is_seen_the_box_moves_along_its_normal_and_no_further_than_it() -> None:
@@ -55,26 +57,42 @@ def test_where_only_the_front_is_seen_the_box_moves_along_its_normal_and_no_furt
     front = front[front[:, 2] > 0.049]
     behind, before = np.array([0.0, 0.0, -0.03]), np.array([0.0, 0.0, 0.03])
     np.testing.assert_allclose(
-        contained(moved(truth, behind), points_of(truth, front)).translation, truth.translation, atol=1e-6
+        contained(moved(truth, behind), points_of(truth, front), MUG).translation, truth.translation, atol=1e-6
     )
     ahead = moved(truth, before)
-    np.testing.assert_allclose(contained(ahead, points_of(truth, front)).translation, ahead.translation, atol=1e-6)
+    np.testing.assert_allclose(contained(ahead, points_of(truth, front), MUG).translation, ahead.translation, atol=1e-6)
 
 
 def test_points_that_reach_further_than_the_box_end_up_around_its_middle() -> None:
     truth, longer = box(2), box_surface(SIZE * [1, 1.4, 1], 4000, np.random.default_rng(2))
-    found = contained(moved(truth, np.array([0.0, 0.2, 0.0])), points_of(truth, longer))
+    found = contained(moved(truth, np.array([0.0, 0.2, 0.0])), points_of(truth, longer), MUG)
     offset = truth.rotation[0].T @ (found.translation - truth.translation)[0]
     assert abs(offset[1]) <= 0.2 * SIZE[1] + 1e-6
 
 
-@pytest.mark.parametrize("strays", [0, 10])
-def test_a_few_strays_and_a_few_points_say_nothing(strays: int) -> None:
+@pytest.mark.parametrize(("strays", "category"), [(0, MUG), (30, MUG), (10, SCISSORS)])
+def test_a_few_strays_and_a_few_points_say_nothing(strays: int, category: Category) -> None:
     truth, rng = box(3), np.random.default_rng(3)
     own = rng.uniform(-0.5, 0.5, (2000, 3)) * SIZE
     own[:strays] += [0.5, 0, 0]
-    np.testing.assert_allclose(contained(truth, points_of(truth, own)).translation, truth.translation, atol=1e-9)
-    np.testing.assert_allclose(contained(truth, points_of(truth, own[:19] + 1)).translation, truth.translation)
+    np.testing.assert_allclose(
+        contained(truth, points_of(truth, own), category).translation, truth.translation, atol=1e-9
+    )
+    np.testing.assert_allclose(
+        contained(truth, points_of(truth, own[:19] + 1), category).translation, truth.translation
+    )
+
+
+def test_a_few_points_count_where_nothing_else_is_around() -> None:
+    truth, own = box(3), np.random.default_rng(3).uniform(-0.5, 0.5, (2000, 3)) * SIZE * [0.5, 1, 1]
+    own[:30, 0] = 0.13
+    moved_x = [
+        float(
+            (contained(truth, points_of(truth, own), one).translation - truth.translation)[0] @ truth.rotation[0, :, 0]
+        )
+        for one in (MUG, SCISSORS)
+    ]
+    assert moved_x == pytest.approx([0.0, 0.03], abs=1e-6)
 
 
 @given(st.integers(0, 2), st.floats(0.5, 1.5), st.integers(0, 9))
