@@ -26,10 +26,10 @@ def facing(yaw_rad: float) -> Pose:
     return Pose.from_size(np.tile(rotation, (4, 1, 1)), translation, np.tile(SIZE, (4, 1)))
 
 
-def seen(pose: Pose, keep: float = -1.0, count: int = 4000) -> Evidence:
-    """Points on the surfaces of all parts, those further ahead than `keep` half depths."""
+def seen(pose: Pose, keep: float = -1.0, count: int = 4000, height: float = 1.0) -> Evidence:
+    """Points on the surfaces of all parts, those further ahead than `keep` half depths, the lowest share `height`."""
     own = box_surface(SIZE, count, np.random.default_rng(0))
-    own = own[own[:, 2] >= keep * SIZE[2] / 2]
+    own = own[(own[:, 2] >= keep * SIZE[2] / 2) & (own[:, 1] <= (height - 0.5) * SIZE[1])]
     parts = zip(pose.rotation, pose.translation, strict=True)
     return Evidence(tuple(replace(GOOD, explained=own @ R.T + t) for R, t in parts), 1.0, 4 * len(own))
 
@@ -92,6 +92,7 @@ def test_a_front_that_falls_back_all_at_once_is_followed_with_doubt(back: float)
         pytest.param(seen(facing(3.0)), facing(3.0), id="seen from behind"),
         pytest.param(seen(facing(0.0), count=10), facing(0.0), id="hardly seen"),
         pytest.param(seen(ahead(facing(0.0), -0.2)), facing(0.0), id="ends far behind"),
+        pytest.param(seen(facing(0.0), height=0.4), facing(0.0), id="mostly behind another"),
     ],
 )
 def test_what_no_front_tells_stays_as_it_was(evidence: Evidence, found: Pose) -> None:
