@@ -46,12 +46,9 @@ def behind_fronts(memory: PoseMemory, pose: Pose, last: Pose, evidence: Evidence
         category: says which parts are on slides, and in which direction they open.
     """
     offset_part = np.array(memory.offset_part)
-    root, parent = category.root, pose.rotation[category.root]
-    root_centre = pose.translation[root] + parent @ offset_part[root]
     for slide in category.slides:
         axis, part = np.array(slide.axis), slide.child
-        carried = root_centre + parent @ offset_from_parent(slide, last) - pose.translation[part]
-        resting, remembered = axis @ (carried @ pose.rotation[part]), axis @ offset_part[part]
+        remembered, resting = axis @ offset_part[part], _resting(memory, pose, last, slide)
         seen = _front(pose, evidence, slide) - np.abs(axis) @ pose.size[part] / 2
         furthest, fastest = np.array([FURTHEST, FASTEST]) * np.linalg.norm(pose.size[part])
         if -furthest < seen - resting < -fastest:
@@ -59,6 +56,14 @@ def behind_fronts(memory: PoseMemory, pose: Pose, last: Pose, evidence: Evidence
         if min(abs(seen - remembered), abs(seen - resting)) < furthest:
             offset_part[part] += (seen - remembered) * axis
     return replace(memory, offset_part=offset_part)
+
+
+def _resting(memory: PoseMemory, pose: Pose, last: Pose, slide: Joint) -> float:
+    """How far ahead of where it was found a part is that has not moved on its slide, metres."""
+    parent, part = slide.parent, slide.child
+    rotation = pose.rotation[parent]
+    centre = pose.translation[parent] + rotation @ (memory.offset_part[parent] + offset_from_parent(slide, last))
+    return float(np.array(slide.axis) @ ((centre - pose.translation[part]) @ pose.rotation[part]))
 
 
 def _front(pose: Pose, evidence: Evidence, slide: Joint) -> float:
