@@ -6,19 +6,20 @@ from types import MappingProxyType
 from typing import Protocol
 
 import numpy as np
-from jaxtyping import Float, Float64
+from jaxtyping import Float, Float64, Int
 
 from captra.categories import Category
-from captra.fitting import mean_rotation, rotation_about_axis
+from captra.fitting import rotation_about_axis
+from captra.geometry import project_to_rotation
 
 
 class JointProjection(Protocol):
     """Changes rotations that no joint allows."""
 
     def __call__(
-        self, rotation: Float64[np.ndarray, "parts 3 3"], category: Category
+        self, rotation: Float64[np.ndarray, "parts 3 3"], seen: Int[np.ndarray, " parts"], category: Category
     ) -> Float64[np.ndarray, "parts 3 3"]:
-        """R_camera_part of every part, as the joints allow it."""
+        """R_camera_part of every part, as the joints allow it, given how many points are seen of each."""
 
 
 class Unprojected:
@@ -27,6 +28,7 @@ class Unprojected:
     def __call__(
         self,
         rotation: Float64[np.ndarray, "parts 3 3"],
+        seen: Int[np.ndarray, " parts"],  # noqa: ARG002 - asked for by the protocol
         category: Category,  # noqa: ARG002 - asked for by the protocol
     ) -> Float64[np.ndarray, "parts 3 3"]:
         """What came in."""
@@ -44,7 +46,10 @@ class OntoAxes:
     """Joint name → its axis in the parent's frame; the category's own axis where a joint is not named."""
 
     def __call__(
-        self, rotation: Float64[np.ndarray, "parts 3 3"], category: Category
+        self,
+        rotation: Float64[np.ndarray, "parts 3 3"],
+        seen: Int[np.ndarray, " parts"],  # noqa: ARG002 - asked for by the protocol
+        category: Category,
     ) -> Float64[np.ndarray, "parts 3 3"]:
         """Each child's rotation, replaced by the nearest one that its joint allows; parents come first."""
         projected = np.array(rotation, np.float64)
@@ -59,27 +64,29 @@ class OntoAxes:
 
 @dataclass(frozen=True)
 class Pooled:
-    """All parts have a say in the root's rotation, each by way of its joint; then parts turn about their axes only.
+    """All points have a say in the root's rotation, each by way of its part's joint; then parts turn about axes only.
 
-    Meant for parts that are seen equally well: drawers are four views of one rotation.
+    A part of which little is seen then does not turn away one that is plain to see.
     """
 
     rounds: int = 3
     """How often the turns of the joints and the root's rotation are found from each other."""
 
     def __call__(
-        self, rotation: Float64[np.ndarray, "parts 3 3"], category: Category
+        self, rotation: Float64[np.ndarray, "parts 3 3"], seen: Int[np.ndarray, " parts"], category: Category
     ) -> Float64[np.ndarray, "parts 3 3"]:
-        """The joints' turns with the root's rotation that all parts support most; every joint hangs on the root."""
-        found = ALONG_AXES(rotation, category)
+        """The joints' turns with the root's rotation that most points support; every joint hangs on the root."""
+        found = ALONG_AXES(rotation, seen, category)
+        voters = [category.root, *(joint.child for joint in category.joints)]
+        votes_of = np.maximum(seen, 1)[voters]
         for _ in range(self.rounds):
             votes = [rotation[category.root]]
             for joint in category.joints:
                 turn = found[joint.parent].T @ found[joint.child]
                 votes.append(rotation[joint.child] @ turn.T)
             pooled = np.array(rotation, np.float64)
-            pooled[category.root] = mean_rotation(np.stack(votes))
-            found = ALONG_AXES(pooled, category)
+            pooled[category.root] = project_to_rotation(np.average(votes, axis=0, weights=votes_of))
+            found = ALONG_AXES(pooled, seen, category)
         return found
 
 

@@ -112,7 +112,7 @@ def solve(
     ]
     seen = np.array([0 if one.aligned is None else mask.sum() for mask, one in zip(masks, found, strict=True)])
     turned = replace(last, rotation=np.stack([one.rotation for one in found]))
-    allowed = projection(carried(turned, last, seen).rotation, category)
+    allowed = projection(carried(turned, last, seen).rotation, seen, category)
     rotations = np.where((seen > 0)[:, None, None], allowed, turned.rotation)
     fits = [
         fit_part(points, prediction, part, mask, replace(one, rotation=rotation), last.part(part))

@@ -10,7 +10,7 @@ face says exactly how.
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float32, Float64, Int32
+from jaxtyping import Float32, Float64, Int, Int32
 
 from captra.categories import Category
 from captra.geometry import project_to_rotation, rotation_from_vector, rotation_vector
@@ -63,10 +63,10 @@ class AlongWalls:
     """Of all that is seen."""
 
     def __call__(
-        self, rotation: Float64[np.ndarray, "parts 3 3"], category: Category
+        self, rotation: Float64[np.ndarray, "parts 3 3"], seen: Int[np.ndarray, " parts"], category: Category
     ) -> Float64[np.ndarray, "parts 3 3"]:
         """The rotations that joints allow, turned together."""
-        projected = self.allowed(rotation, category)
+        projected = self.allowed(rotation, seen, category)
         root = projected[category.root]
         turn = square(root, self.patches) @ root.T
         # Projected, since products of rounded rotations, each made from the one before, drift off ever faster.

@@ -25,6 +25,11 @@ def turned(name: str, seed: int, error_rad: float) -> tuple[np.ndarray, np.ndarr
     return truth, wrong
 
 
+def all_alike(rotation: np.ndarray) -> np.ndarray:
+    """As many points of every part."""
+    return np.full(len(rotation), 100)
+
+
 def error(rotation: np.ndarray, truth: np.ndarray) -> float:
     return float(rotation_angle(np.swapaxes(truth, -1, -2) @ rotation).max())
 
@@ -32,23 +37,24 @@ def error(rotation: np.ndarray, truth: np.ndarray) -> float:
 @ARTICULATED
 def test_errors_across_the_axes_go_away(name: str) -> None:
     truth, wrong = turned(name, 0, 0.1)
-    projected = OntoAxes()(wrong, get_category(name))
+    projected = OntoAxes()(wrong, all_alike(wrong), get_category(name))
     assert error(projected, truth) < 0.01 < error(wrong, truth)
-    np.testing.assert_array_equal(UNPROJECTED(wrong, get_category(name)), wrong)
+    np.testing.assert_array_equal(UNPROJECTED(wrong, all_alike(wrong), get_category(name)), wrong)
 
 
 @ARTICULATED
 @given(seed=st.integers(0, 1000), error_rad=st.floats(0, 0.5))
 def test_projecting_twice_changes_nothing_more(name: str, seed: int, error_rad: float) -> None:
     category = get_category(name)
-    once = OntoAxes()(turned(name, seed, error_rad)[1], category)
-    np.testing.assert_allclose(OntoAxes()(once, category), once, atol=1e-9)
+    wrong = turned(name, seed, error_rad)[1]
+    once = OntoAxes()(wrong, all_alike(wrong), category)
+    np.testing.assert_allclose(OntoAxes()(once, all_alike(once), category), once, atol=1e-9)
 
 
 def test_an_axis_given_by_the_session_is_the_one_about_which_parts_turn() -> None:
     category, axis = get_category("scissors"), (0.0, 0.6, 0.8)
     _, wrong = turned("scissors", 1, 0.2)
-    projected = OntoAxes(axes={"pivot": axis})(wrong, category)
+    projected = OntoAxes(axes={"pivot": axis})(wrong, all_alike(wrong), category)
     relative = projected[0].T @ projected[1]
     np.testing.assert_allclose(rotation_about_axis(relative, np.array(axis)), relative, atol=1e-9)
 
@@ -56,7 +62,7 @@ def test_an_axis_given_by_the_session_is_the_one_about_which_parts_turn() -> Non
 @ARTICULATED
 def test_pooling_leaves_what_joints_allow_as_it_is(name: str) -> None:
     truth, _ = turned(name, 4, 0.0)
-    assert error(Pooled()(truth, get_category(name)), truth) < 1e-6
+    assert error(Pooled()(truth, all_alike(truth), get_category(name)), truth) < 1e-6
 
 
 @ARTICULATED
@@ -69,17 +75,30 @@ def test_a_wrong_root_is_outvoted_by_its_children(name: str) -> None:
     def off(rotation: np.ndarray) -> float:
         return error(rotation[root : root + 1], truth[root : root + 1])
 
-    assert off(Pooled()(wrong, category)) < 0.95 * off(ALONG_AXES(wrong, category))
+    assert off(Pooled()(wrong, all_alike(wrong), category)) < 0.95 * off(ALONG_AXES(wrong, all_alike(wrong), category))
 
 
 def test_four_views_of_one_rotation_become_their_mean() -> None:
     rng = np.random.default_rng(6)
     truth = np.tile(axis_angle(rng.standard_normal(3), 1.0), (4, 1, 1))
     wrong = truth @ axis_angle(rng.standard_normal((4, 3)), np.full(4, 0.1))
-    pooled = Pooled()(wrong, get_category("drawers"))
+    pooled = Pooled()(wrong, all_alike(wrong), get_category("drawers"))
     np.testing.assert_allclose(pooled, np.tile(mean_rotation(wrong), (4, 1, 1)), atol=1e-9)
 
 
 @pytest.mark.parametrize("category", CATEGORIES.values(), ids=str)
 def test_every_joint_hangs_on_the_root(category: Category) -> None:
     assert all(joint.parent == category.root for joint in category.joints)
+
+
+@pytest.mark.parametrize("hidden", [0, 1])
+def test_a_part_of_which_little_is_seen_does_not_turn_away_one_that_is_plain_to_see(hidden: int) -> None:
+    category = get_category("laptop_articulated")
+    truth, _ = turned("laptop_articulated", 3, 0.0)
+    wrong = truth.copy()
+    wrong[hidden] = wrong[hidden] @ axis_angle(np.array([0.0, 1.0, 0.0]), 0.3)
+    seen = np.where(np.arange(2) == hidden, 50, 950)
+    told, alike = (Pooled()(wrong, points, category) for points in (seen, all_alike(wrong)))
+    assert rotation_angle(truth[1 - hidden].T @ told[1 - hidden]) < 0.02
+    assert rotation_angle(truth[1 - hidden].T @ alike[1 - hidden]) > 0.1
+    assert error(Pooled()(truth, np.zeros(2, int), category), truth) < 1e-6
