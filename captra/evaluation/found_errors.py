@@ -16,7 +16,7 @@ from captra.evaluation.sequences import SequenceSource
 from captra.evaluation.workers import Workers
 from captra.fitting import rotation_about_axis
 from captra.geometry import Pose, rotation_vector
-from captra.pose_memory import NO_ERROR, FoundError, PerAxis
+from captra.pose_memory import NO_ERROR, USUAL_ERROR, FoundError, PerAxis
 from captra.size_memory import SizeMemory
 from captra.tracker import Tracker, TrackerOptions
 
@@ -42,15 +42,16 @@ def measure_found_error(
     """Standard deviations of what stays the same in the errors of a track, over sequences of as many objects.
 
     What comes and goes from frame to frame is no business of the memory: a constant error's variance is the covariance
-    of the first frame's error with that of the others. Sizes are measured in the mean of a track; how much the given
-    ones count while centres are measured is what the networks come with.
+    of the first frame's error with that of the others. Sizes are measured in the mean of a track, and never taken to be
+    told better than usual, since an object unlike all of these is told worse; how much the given ones count while
+    centres are measured is what the networks come with.
     """
     centres, turns, scales, sides = zip(*workers.map(partial(_errors, networks), sources), strict=True)
     found = FoundError(
         centre=_lasting(centres, LARGEST_CENTRE),
         rotation_deg=_lasting(turns, LARGEST_ROTATION_DEG),
-        scale=tuple((float(scale),) for (scale,) in _spread(scales)),
-        side=tuple((float(x), float(y), float(z)) for x, y, z in _spread(sides)),
+        scale=tuple((float(scale),) for (scale,) in np.maximum(_spread(scales), USUAL_ERROR.scale)),
+        side=tuple((float(x), float(y), float(z)) for x, y, z in np.maximum(_spread(sides), USUAL_ERROR.side)),
     )
     return _round_about_y(found) if category.symmetric else found
 

@@ -9,7 +9,7 @@ from captra.evaluation.sequences import Sequence
 from captra.evaluation.workers import Here
 from captra.geometry import axis_angle
 from captra.looking import Networks
-from captra.pose_memory import FoundError
+from captra.pose_memory import USUAL_ERROR, FoundError
 from tests.captra.evaluation.test_evaluation import Held, still_recording
 from tests.oracle import OracleNetworks
 
@@ -80,7 +80,13 @@ def test_what_networks_make_of_the_size_is_measured_whatever_was_given(monkeypat
     aspect = recording.size[0] / np.linalg.norm(recording.size[0])
     assert 0.02 < scale < 0.18
     assert z == pytest.approx(aspect[2] * (np.exp(scale) - 1), rel=0.1)
-    np.testing.assert_allclose((x, y), aspect[:2] * (1 - np.exp(scale) / 1.2), rtol=0.1)
+    expected = aspect[:2] * (1 - np.exp(scale) / 1.2)
+    np.testing.assert_allclose((x, y), np.maximum(expected, USUAL_ERROR.side[0][0]), rtol=0.1)
+
+
+def test_sizes_are_never_taken_to_be_told_better_than_usual() -> None:
+    error = measured("camera", (1.0, -1.0))
+    assert (error.scale, error.side) == (USUAL_ERROR.scale, USUAL_ERROR.side)
 
 
 def test_lost_tracks_count_as_little_as_the_worst_ones_that_hold() -> None:
