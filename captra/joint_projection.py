@@ -64,9 +64,9 @@ class OntoAxes:
 
 @dataclass(frozen=True)
 class Pooled:
-    """All points have a say in the root's rotation, each by way of its part's joint; then parts turn about axes only.
+    """All parts have a say in the root's rotation, each by way of its joint; then parts turn about their axes only.
 
-    A part of which little is seen then does not turn away one that is plain to see.
+    Meant for parts whose errors have causes of their own, however many points are seen of them.
     """
 
     rounds: int = 3
@@ -75,24 +75,33 @@ class Pooled:
     def __call__(
         self, rotation: Float64[np.ndarray, "parts 3 3"], seen: Int[np.ndarray, " parts"], category: Category
     ) -> Float64[np.ndarray, "parts 3 3"]:
-        """The joints' turns with the root's rotation that most points support; every joint hangs on the root."""
+        """The joints' turns with the root's rotation that has most votes; every joint hangs on the root."""
         found = ALONG_AXES(rotation, seen, category)
-        voters = [category.root, *(joint.child for joint in category.joints)]
-        votes_of = np.maximum(seen, 1)[voters]
+        weights = self._votes(seen)[[category.root, *(joint.child for joint in category.joints)]]
         for _ in range(self.rounds):
             votes = [rotation[category.root]]
             for joint in category.joints:
                 turn = found[joint.parent].T @ found[joint.child]
                 votes.append(rotation[joint.child] @ turn.T)
             pooled = np.array(rotation, np.float64)
-            pooled[category.root] = project_to_rotation(np.average(votes, axis=0, weights=votes_of))
+            pooled[category.root] = project_to_rotation(np.average(votes, axis=0, weights=weights))
             found = ALONG_AXES(pooled, seen, category)
         return found
+
+    def _votes(self, seen: Int[np.ndarray, " parts"]) -> Int[np.ndarray, " parts"]:
+        return np.ones_like(seen)
+
+
+class PooledByPoints(Pooled):
+    """Every point has a say instead: a part of which little is seen does not turn away one that is plain to see."""
+
+    def _votes(self, seen: Int[np.ndarray, " parts"]) -> Int[np.ndarray, " parts"]:
+        return np.maximum(seen, 1)
 
 
 ALONG_AXES: JointProjection = OntoAxes()
 
 JOINT_PROJECTIONS: Mapping[str, JointProjection] = MappingProxyType(
-    {"free": UNPROJECTED, "along-axes": ALONG_AXES, "pooled": Pooled()}
+    {"free": UNPROJECTED, "along-axes": ALONG_AXES, "pooled": Pooled(), "pooled-by-points": PooledByPoints()}
 )
 """By the names that manifests use."""

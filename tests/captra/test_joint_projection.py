@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 from captra.categories import CATEGORIES, Category, get_category
 from captra.fitting import mean_rotation, rotation_about_axis
 from captra.geometry import axis_angle, rotation_angle
-from captra.joint_projection import ALONG_AXES, UNPROJECTED, OntoAxes, Pooled
+from captra.joint_projection import ALONG_AXES, UNPROJECTED, OntoAxes, Pooled, PooledByPoints
 
 ARTICULATED = pytest.mark.parametrize("name", [name for name, one in CATEGORIES.items() if one.joints])
 
@@ -98,7 +98,7 @@ def test_a_part_of_which_little_is_seen_does_not_turn_away_one_that_is_plain_to_
     wrong = truth.copy()
     wrong[hidden] = wrong[hidden] @ axis_angle(np.array([0.0, 1.0, 0.0]), 0.3)
     seen = np.where(np.arange(2) == hidden, 50, 950)
-    told, alike = (Pooled()(wrong, points, category) for points in (seen, all_alike(wrong)))
+    told, alike = (projection(wrong, seen, category) for projection in (PooledByPoints(), Pooled()))
     assert rotation_angle(truth[1 - hidden].T @ told[1 - hidden]) < 0.02
     assert rotation_angle(truth[1 - hidden].T @ alike[1 - hidden]) > 0.1
-    assert error(Pooled()(truth, np.zeros(2, int), category), truth) < 1e-6
+    assert error(PooledByPoints()(truth, np.zeros(2, int), category), truth) < 1e-6
