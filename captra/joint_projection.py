@@ -96,7 +96,7 @@ class PooledByPoints(Pooled):
     """Every point has a say instead: a part of which little is seen does not turn away one that is plain to see."""
 
     def _votes(self, seen: Int[np.ndarray, " parts"]) -> Int[np.ndarray, " parts"]:
-        return np.maximum(seen, 1)
+        return np.asarray(np.maximum(seen, 1))
 
 
 ALONG_AXES: JointProjection = OntoAxes()
