@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float, Float64
+from jaxtyping import Float, Float64, Int
 
 from captra.geometry import axis_angle, project_to_rotation, rotation_from_axis
 from captra.moments import Moments
@@ -29,9 +29,11 @@ class Similarity:
         return np.asarray(self.scale * source @ self.rotation.T + self.translation)
 
 
-def mean_rotation(rotations: Float[np.ndarray, "points 3 3"]) -> Float64[np.ndarray, "3 3"]:
+def mean_rotation(
+    rotations: Float[np.ndarray, "points 3 3"], weights: Int[np.ndarray, " points"] | None = None
+) -> Float64[np.ndarray, "3 3"]:
     """Euclidean mean: the arithmetic mean projected back onto SO(3) (appendix "Euclidean Mean of Rotations")."""
-    return project_to_rotation(np.asarray(rotations, np.float64).mean(axis=0))
+    return project_to_rotation(np.average(np.asarray(rotations, np.float64), axis=0, weights=weights))
 
 
 def mean_axis_rotation(rotations: Float[np.ndarray, "points 3 3"]) -> Float64[np.ndarray, "3 3"]:

@@ -9,8 +9,7 @@ import numpy as np
 from jaxtyping import Float, Float64, Int
 
 from captra.categories import Category
-from captra.fitting import rotation_about_axis
-from captra.geometry import project_to_rotation
+from captra.fitting import mean_rotation, rotation_about_axis
 
 
 class JointProjection(Protocol):
@@ -84,7 +83,7 @@ class Pooled:
                 turn = found[joint.parent].T @ found[joint.child]
                 votes.append(rotation[joint.child] @ turn.T)
             pooled = np.array(rotation, np.float64)
-            pooled[category.root] = project_to_rotation(np.average(votes, axis=0, weights=weights))
+            pooled[category.root] = mean_rotation(np.stack(votes), weights)
             found = ALONG_AXES(pooled, seen, category)
         return found
 

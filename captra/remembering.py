@@ -68,12 +68,16 @@ class Remembered:
     def updated(self, found: Pose, last: Pose, evidence: Evidence) -> "Remembered":
         """After one more frame, which found parts there; before, the object was where `last` says."""
         box_turns = self.box_turns.updated(found, evidence)
-        pose = box_turns.refine(self.pose, found.size)
-        pose = behind_fronts(pose, found, last, evidence, self.category)
+        updated = replace(self, pose=box_turns.refine(self.pose, found.size), box_turns=box_turns)
+        return updated._on_slides(found, last, evidence) if self.category.slides else updated
+
+    def _on_slides(self, found: Pose, last: Pose, evidence: Evidence) -> "Remembered":
+        """With what a frame tells of parts on slides: how far they are out, and where their slides run."""
+        pose = behind_fronts(self.pose, found, last, evidence, self.category)
         root, translation = self.category.root, np.array(found.translation)
         translation[root] = pose.apply(found, evidence.fitted).translation[root]
         slides = self.slides.updated(replace(found, translation=translation), filled(found, evidence))
-        return replace(self, pose=pose, box_turns=box_turns, slides=slides)
+        return replace(self, pose=pose, slides=slides)
 
     def place(self, found: Pose, evidence: Evidence) -> Pose:
         """Where parts are believed to be that were found there."""

@@ -99,13 +99,20 @@ def _told(pose: Pose, evidence: Evidence, joint: Joint, part: int) -> float:
 def carried(pose: Pose, last: Pose, seen: Int[np.ndarray, " parts"]) -> Pose:
     """The pose with every part of which no point is seen moved from where it last was as the one most is seen of."""
     leader, hidden = int(np.argmax(seen)), (seen == 0)[:, None]
-    moved = pose.rotation[leader] @ last.rotation[leader].T
-    centre = pose.translation[leader] + (last.translation - last.translation[leader]) @ moved.T
+    rotation, centre = _taken_along(pose.rotation[leader], pose.translation[leader], last, leader)
     return replace(
         pose,
-        rotation=np.where(hidden[..., None], project_to_rotation(moved @ last.rotation), pose.rotation),
+        rotation=np.where(hidden[..., None], project_to_rotation(rotation), pose.rotation),
         translation=np.where(hidden, centre, pose.translation),
     )
+
+
+def _taken_along(
+    rotation: Float64[np.ndarray, "3 3"], centre: Float64[np.ndarray, "3"], last: Pose, by: int
+) -> tuple[Float64[np.ndarray, "parts 3 3"], Float64[np.ndarray, "parts 3"]]:
+    """Where all parts are, as they last stood, once one of them is turned and placed like that."""
+    moved = rotation @ last.rotation[by].T
+    return moved @ last.rotation, centre + (last.translation - last.translation[by]) @ moved.T
 
 
 def _share(told: float) -> float:
@@ -120,9 +127,7 @@ def ride_along(pose: Pose, evidence: Evidence, last: Pose, category: Category) -
     rotation, translation = np.array(pose.rotation), np.array(pose.translation)
     for ride in evidence.rides:
         part, by = ride.part, ride.by
-        moved = rotation[by] @ last.rotation[by].T
-        expected = moved @ last.rotation[part]
-        expected_centre = translation[by] + moved @ (last.translation[part] - last.translation[by])
+        expected, expected_centre = (of_all[part] for of_all in _taken_along(rotation[by], translation[by], last, by))
         turn: Float64[np.ndarray, "3"] = rotation_vector(expected.T @ rotation[part])
         axis = np.array(category.joints[ride.joint].axis)
         about = (turn @ axis) * axis

@@ -70,7 +70,7 @@ class AlongWalls:
         root = projected[category.root]
         turn = square(root, self.patches) @ root.T
         # Projected, since products of rounded rotations, each made from the one before, drift off ever faster.
-        return np.stack([project_to_rotation(turn @ part) for part in projected])
+        return project_to_rotation(turn @ projected)
 
 
 def along_walls(
